@@ -19,7 +19,7 @@ class AmbientConditions {
   AmbientConditions(FEModel& fem, newton::Solver& solver, newton::Helpers& helpers)
       : fem_(fem), solver_(solver), helpers_(helpers) {}
 
-  /// Holds nodes outside contact at ambient values, and frees the others with the value that they have. Not to be
+  /// Holds nodes outside contact at ambient values, and frees the others with the value that they have. It must not be
   /// called while a trial increment is evaluated. Returns whether anything changed.
   bool apply(const std::vector<ContactInModel*>& contacts);
 

@@ -26,7 +26,7 @@ struct UndecidedLoad {
   double change_by_condition;                    ///< the same of the unknown that `changed` adds
 };
 
-/// What FEBio's matrix takes of contacts.
+/// The parts of contacts that FEBio's matrix takes.
 struct MatrixForm {
   bool is_constrained = false;  ///< linear constraints tie degrees of freedom of the model to each other
   newton::DeviceSet devices;    ///< those that may act on it
@@ -44,18 +44,18 @@ class Assembly {
   void residual(FEGlobalVector& residual, double dt) const;
   /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
   bool residual_change(FEGlobalVector& residual, double dt) const;
-  /// What a matrix with the loads of another status lacks: it has loads that are zero, and others are added.
+  /// The conditions that a matrix lacks with the loads of another status: loads that are zero, and others to be added.
   std::vector<newton::Condition> conditions(double dt) const;
   /// Loads that it may take away and add as an iteration begins: tractions of nodes that depend on no prescribed
   /// values.
   std::vector<UndecidedLoad> undecided_loads(double dt) const;
-  /// What an increment moves the nodes of the surfaces by [mm], but those that have no equations of their own.
+  /// The displacements of nodes of surfaces by an increment [mm], without nodes that have no equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   const BoundContact& contact() const { return contact_; }
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt);
-  /// Equations are numbered anew.
+  /// Equations have other numbers.
   void forget_matrix();
-  /// What of the last tangent the matrix has no place for.
+  /// The part of the last tangent that the matrix has no place for.
   const newton::MatrixPart& beside_matrix() const { return beside_; }
   /// Whether the last tangent has loads as unknowns of the matrix.
   bool has_unknown_loads() const { return !unknown_loads_.empty(); }
@@ -66,12 +66,12 @@ class Assembly {
  private:
   using Location = mixture_contact::ContactInterface::Location;
   using UseBlock = std::function<void(const std::vector<int>& equations)>;
-  /// With a load in mixed form, and the equations of what it depends on.
+  /// Takes a load in mixed form, and the equations of the unknowns that it depends on.
   using UseLoad = std::function<void(const UnknownLoad& load, const std::vector<int>& others)>;
-  /// With the equations of a node, and those of what it depends on.
+  /// Takes the equations of a node, and those of the unknowns that it depends on.
   using UseRow = std::function<void(const std::vector<int>& own, const std::vector<int>& others)>;
   void for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const;
-  /// What a row of the tangent couples.
+  /// The unknowns that a row of the tangent couples.
   struct CoupledRow {
     std::vector<int> own;     ///< equations of the node
     std::vector<int> others;  ///< those that the matrix has in its rows
@@ -82,7 +82,7 @@ class Assembly {
   /// The condition that a load follows what it depends on, which the matrix does not have.
   newton::Condition condition_of(const NodeEquations& equations, mixture_contact::Side first,
                                  const mixture_contact::LoadBlock& load) const;
-  /// Whether couplings of a pass stand beside the matrix: where its loads are unknowns, for the same solvers.
+  /// Whether couplings of a pass are deferred: where its loads are unknowns, for the same solvers.
   bool splits(mixture_contact::Side first) const {
     return takes_rows_ && form_.has(newton::Device::deferred_coupling) &&
            form_.has(newton::Device::loads_as_unknowns) && loads_.has(first);

@@ -1,4 +1,4 @@
-/// What a contact says in FEBio's log.
+/// Lines of a contact in FEBio's log.
 #pragma once
 
 #include <FECore/FECoreBase.h>

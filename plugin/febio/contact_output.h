@@ -1,4 +1,4 @@
-/// What a contact puts out: values at the nodes after each step, warnings, and timings at the end of a run.
+/// The output of a contact: values at the nodes after each step, warnings, and timings at the end of a run.
 #pragma once
 
 #include "bound_contact.h"
@@ -8,9 +8,9 @@ class ContactOutput {
   ContactOutput(const BoundContact& contact, ContactSurfaces& surfaces, const ContactLog& log)
       : contact_(contact), surfaces_(surfaces), log_(log) {}
 
-  /// After a step that has been solved.
+  /// Stores the values after a step that has been solved.
   void store();
-  /// At the end of the run.
+  /// Writes the timings at the end of the run.
   void log_timings() const;
 
  private:

@@ -17,7 +17,7 @@ using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
 SolverKind solver_kind_of(FEModel& fem);
 /// The time step in which elements store solvent [s]; 0 in a steady state.
 double storing_time_step(FEModel& fem);
-/// Whether the solvers of all steps can have multipliers as unknowns beside some node; the log says why not.
+/// Whether the solvers of all steps can have multipliers of some node as unknowns; the log says why not.
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
 
 class ContactSetup {

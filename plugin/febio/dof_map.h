@@ -62,7 +62,7 @@ class DofMap {
   std::array<int, 3> rotations_{-1, -1, -1};
   int concentrations_ = 0;     ///< number of solutes in the model
   int first_multiplier_ = -1;  ///< equation; the others follow
-  /// Where FEBio assembles, equations come in blocks, one per node. A block that belongs to no node would be left out
+  /// FEBio assembles equations in blocks, one per node. A block that belongs to no node would be left out
   /// of the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for
   /// the block of multipliers.
   int multiplier_node_ = -1;

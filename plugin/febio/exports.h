@@ -1,4 +1,4 @@
-/// What makes a function one that febio4 can look up by name.
+/// The attribute by which febio4 can look up a function by name.
 #pragma once
 
 #ifdef _WIN32

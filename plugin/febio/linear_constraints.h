@@ -21,7 +21,7 @@ class LinearConstraints {
   bool empty() const { return followed_.empty(); }
   /// Whether any degree of freedom of a node of the mesh follows others.
   bool bind(int node) const;
-  /// What a displacement (dof 0, 1 or 2 of its node in the mesh) follows; null where it follows nothing.
+  /// The displacements that a displacement (dof 0, 1 or 2 of its node in the mesh) follows; null if it follows none.
   const std::vector<Followed>* of(int node, int dof) const;
 
  private:

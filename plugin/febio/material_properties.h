@@ -1,4 +1,4 @@
-/// What the contact needs to know of the material behind a facet, read from FEBio without touching its state.
+/// The properties of the material behind a facet that the contact needs, read from FEBio without touching its state.
 #pragma once
 
 #include "host/facet_material.h"
@@ -43,7 +43,7 @@ class MaterialReader {
   MaterialParts last_;  ///< most facets have that of the one before
 };
 
-/// What stands in for the stiffness of rigid bodies that touch each other, for lack of any element that could be
+/// The stiffness of rigid bodies that touch each other, for lack of any element that could be
 /// measured: Young's modulus over 1 - nu^2 of a rigid material, which FEBio's own interfaces take, too, but no less
 /// than the largest modulus of the deformable materials [MPa].
 double modulus_of_rigid_bodies(FEModel& fem);

@@ -1,4 +1,4 @@
-/// What a contact asks of the matrices of the model's steps.
+/// The requests of a contact for the matrices of the model's steps.
 #pragma once
 
 #include "contact_log.h"

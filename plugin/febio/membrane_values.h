@@ -34,7 +34,7 @@ class FEMixtureReflection : public FECoreClass {
   FECORE_BASE_CLASS(FEMixtureReflection)
 };
 
-/// What a model gives a membrane per solute.
+/// The values that a model gives a membrane per solute.
 struct MembraneProperties {
   std::vector<FEMixtureSolutePermeance*> permeances;
   std::vector<FEMixtureReflection*> reflections;

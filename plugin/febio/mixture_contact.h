@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// What the model gives for each solute.
+/// The values that the model gives for each solute.
 struct ContactProperties {
   AmbientConcentrations ambient;
   MembraneProperties membrane;
@@ -100,7 +100,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   ContactOutput output_;
   ContactOwner* owner_ = nullptr;  ///< null: the contact has a tag of its own
   bool relocated_ = false;
-  bool may_run_ = true;  ///< the effects asked for exist in the present step
+  bool may_run_ = true;  ///< the requested effects exist in the present step
 
   DECLARE_FECORE_CLASS()
 };

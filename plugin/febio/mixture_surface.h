@@ -20,7 +20,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Begins with the facets that are active: FEBio's erosion calls this, too, where it has made some inactive or has
   /// made others.
   bool Init() override;
-  /// Takes the facets of another surface, which this one is beside.
+  /// Takes the facets of another surface, on which this one lies.
   void take_facets_of(const FEMixtureSurface& other);
   /// Whether facets may have changed since the last call.
   bool take_change() { return std::exchange(has_changed_, false); }
@@ -72,7 +72,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
   /// Whether the facets are listed as those of the front faces of shells.
   bool faces_front();
   void store_friction(FESurfaceElement& element);
-  /// Over the points of a facet.
+  /// The mean over the points of a facet.
   double mean(int face, const std::function<double(const FEBiphasicContactPoint&)>& value);
 
   mixture_contact::NodalOutput nodal_;

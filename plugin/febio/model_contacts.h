@@ -1,4 +1,4 @@
-/// What the contacts of a model share: one object for each model, kept alive by its contacts.
+/// The data that the contacts of a model share: one object for each model, kept alive by its contacts.
 #pragma once
 
 #include "ambient_conditions.h"
@@ -25,27 +25,27 @@ class ModelContacts : public mixture_contact::SteppedModel {
 
   void add(ContactInModel& contact);
   void remove(ContactInModel& contact);
-  /// What is wrong with the switches of helpers that a contact gives, beside those of the others: a sentence each.
+  /// The faults of the switches of helpers that a contact gives, given those of the others: a sentence each.
   std::vector<std::string> complaints(ContactInModel& contact) const;
 
   // FEBio's calls, as each contact passes them on
   void activate(ContactInModel& contact);
   void prepare_step(ContactInModel& contact);
   mixture_contact::ContactSteps& steps() { return steps_; }
-  /// What the model keeps between steps is stored once, with the first contact that is.
+  /// Stores the data that the model keeps between steps once, with the first contact that is stored.
   void serialize(ContactInModel& contact, DumpStream& ar);
-  /// What a contact has of a solution is not what its matrix was made of: penalties have grown, or bonds have broken.
+  /// The solution of a contact is not that of its matrix any more: penalties have grown, or bonds have broken.
   void force_new_matrix() { matrix_.force_next(); }
-  /// The part of a contact has come into the matrix. After that of the last one loads follow from the rows of nodes.
+  /// The part of a contact has come into the matrix. Loads follow from the rows of nodes after that of the last one.
   void added_tangent(const ContactInModel& contact);
 
   void on_callback(unsigned int when);
 
   newton::FEBioSolver& solver() { return solver_; }
-  /// What the present step does with automatic penalties of the traction.
+  /// The reduction of automatic penalties of the traction in the present step.
   mixture_contact::ReducedPenalty penalty_reduction() const;
   const ModelDevices& devices() const { return devices_; }
-  /// What the next matrix is to take of the contacts.
+  /// The parts of the contacts that the next matrix is to take.
   MatrixForm matrix_form() const;
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;

@@ -17,7 +17,7 @@ class ModelDevices {
 
   /// Whether a device may act at present.
   bool is_on(newton::Device device) const;
-  /// What is wrong with those that a contact gives, beside the others: a sentence, or none.
+  /// The fault of those that a contact gives, given the others: a sentence, or none.
   std::string complaint(ContactInModel& contact) const;
   /// Says at the first step which are on.
   void introduce();

@@ -1,4 +1,4 @@
-/// The equations that the unknowns of a contact's nodes have, as they stand when this is made: FEBio numbers them anew
+/// The equations that the unknowns of a contact's nodes have at the time of construction: FEBio numbers them again
 /// between steps, and ambient values take unknowns away within one.
 #pragma once
 
@@ -27,13 +27,13 @@ class NodeEquations {
   std::vector<int> nodes(const Location& at) const;
   /// The equation of each entry of a local vector; -1 where it has none.
   std::vector<int> equations(const Location& at) const;
-  /// Equations that stand in one block of the matrix, those of prescribed values and of rigid bodies' rotations, too.
+  /// Equations in one block of the matrix, those of prescribed values and of rigid bodies' rotations, too.
   std::vector<int> coupled(const Location& at) const;
-  /// A local vector at its equations; what belongs to a displacement that follows others stands at theirs.
+  /// A local vector at its equations; a component of a displacement that follows others goes to theirs.
   std::vector<newton::Condition::Entry> entries(const Location& at, const mixture_contact::VectorXd& values) const;
   /// The equations of all degrees of freedom of a node that have one of their own, exchanged or not.
   std::vector<int> unknowns(Side surface, int node) const;
-  /// What an increment moves the nodes of the surfaces by [mm]; zero where they have no equations of their own.
+  /// The displacements of nodes of the surfaces by an increment [mm]; zero where they have no equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   /// Whether some nodes belong to rigid bodies, from which they have their equations.
   bool are_rigid(const Location& at) const;
@@ -60,9 +60,9 @@ class NodeEquations {
   /// Calls use(surface, node) for the nodes of a local vector in their order.
   template <class Use>
   void for_each_node(const Location& at, const Use& use) const;
-  /// What displacements of these nodes follow by linear constraints.
+  /// Adds the displacements that displacements of these nodes follow by linear constraints.
   void add_followed(const Location& at, std::vector<int>& ids) const;
-  /// What an increment changes of a displacement.
+  /// The change of a displacement by an increment.
   double change(const Surface& surface, int node, int i, const std::vector<double>& increment) const;
 
   const DofMap& dofs_;

@@ -5,7 +5,7 @@
 
 class FERigidBody;
 
-/// Has the nodes of rigid shells stand on the back face, where a contact has that, while an object of this type lives:
+/// Moves the nodes of rigid shells to the back face, where a contact has that, while an object of this type lives:
 /// FEBio assembles a force on a node of a rigid body with the arm of the node's position.
 class RigidShellBottoms {
  public:

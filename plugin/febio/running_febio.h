@@ -17,7 +17,7 @@ struct Hook {
 /// The hooks of FESurfacePairConstraint; none but on Linux, where alone the names in the libraries were looked at.
 const std::vector<Hook>& hooks();
 
-/// What a name stands for in the running FEBio; null where it has none.
+/// The address of a name in the running FEBio; null where it has none.
 using SymbolLookup = std::function<void*(const char* symbol)>;
 SymbolLookup running_symbols();
 

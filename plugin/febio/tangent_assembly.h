@@ -14,14 +14,14 @@ class FEElementMatrix;
 class FEGlobalMatrix;
 class FELinearSystem;
 
-/// Where the parts of one tangent go: straight into the rows of the matrix where FEBio stores it by rows and equations
-/// are free, else through FEBio's own assembly; and loads that have equations in mixed form.
+/// The destinations of the parts of one tangent: the rows of the matrix, directly, where FEBio stores it by rows and
+/// equations are free, else FEBio's own assembly; and loads that have equations in mixed form.
 class TangentAssembly {
  public:
   using Location = mixture_contact::ContactInterface::Location;
   using Rows = mixture_contact::IndexedVector<mixture_contact::TangentBlock>;
 
-  /// What the matrix takes as it is.
+  /// The parts that the matrix takes as they are.
   struct Takes {
     bool blocks;  ///< blocks of free equations
     bool loads;   ///< loads in mixed form, where it takes blocks
@@ -31,8 +31,8 @@ class TangentAssembly {
                   const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, Takes takes);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
-  /// Adds blocks of one effect that have the rows of one node each, times a factor. What the matrix has no place for
-  /// goes into the part beside it, where there is one.
+  /// Adds blocks of one effect that have the rows of one node each, times a factor. Parts without a place in the matrix
+  /// go into `beside`, if that is given.
   void add_rows(mixture_contact::Side first, const Rows& rows, double factor, newton::MatrixPart* beside);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
   /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns

@@ -32,7 +32,7 @@ class TieSetup {
 
  private:
   std::optional<FacetMaterials> materials() const;
-  /// Whether bonds soften with their penalties, and nothing else stands in the way of breaking.
+  /// Whether bonds soften with their penalties, and nothing else rules out breaking.
   bool can_break(const mixture_contact::Tie& tie) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials) const;
   mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes(const FacetMaterials& materials,

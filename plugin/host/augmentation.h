@@ -1,4 +1,4 @@
-/// What happens to a contact when its host has found a solution.
+/// The work on a contact after its host has found a solution.
 #pragma once
 
 #include "contact/interface/interface.h"

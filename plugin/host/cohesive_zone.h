@@ -1,4 +1,4 @@
-/// What a cohesive law asks of penalties and of the mesh.
+/// The conditions of a cohesive law on penalties and on the mesh.
 #pragma once
 
 #include "contact/tie/tie.h"
@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// What is wrong with the penalties of a cohesive tie, and what they have to exceed; empty where nothing is.
+/// The fault of the penalties of a cohesive tie, and the values that they have to exceed; empty if there is none.
 std::string penalty_complaint(const mixture_contact::Tie& tie);
 
 /// Facets that the zone in which a bond softens should span.

@@ -62,7 +62,7 @@ struct SearchParameters {
   int seg_up = 0;
 };
 
-/// What a surface is made to be before the first step.
+/// The changes to a surface before the first step.
 struct SurfaceParameters {
   bool flip = false;
   bool shell_bottom = false;
@@ -109,7 +109,7 @@ struct UnusedParameters {
   Given<bool> extrapolation;
 };
 
-/// Values under FEBio's own names, by what they are about.
+/// Values under FEBio's own names, by subject.
 struct ContactParameters {
   std::string effects = "all";  ///< see decide_exchange()
   EnforcementParameters enforcement;
@@ -127,7 +127,7 @@ struct ContactParameters {
   bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
 };
 
-/// The switch that one of the solver's helpers has beside <solver_devices>, under the name of the device.
+/// The switch of one of the solver's helpers, in addition to <solver_devices>, under the name of the device.
 struct HelperSwitch {
   newton::Device device;
   Given<bool> HelperParameters::* parameter;
@@ -141,10 +141,10 @@ inline constexpr HelperSwitch line_search_guard{newton::Device::line_search_guar
                                                 &HelperParameters::line_search_guard};
 inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concentrations, line_search_guard, predictor};
 
-/// What a parameter is measured in.
+/// The unit of a parameter.
 enum class Unit { none, length, pressure, concentration };
 
-/// What a parameter belongs to, in the order in which a user finds it.
+/// The subject of a parameter, in the order in which a user finds it.
 enum class ParameterGroup {
   effects,
   enforcement,
@@ -157,8 +157,8 @@ enum class ParameterGroup {
   old_models
 };
 
-/// The heading of a group in FEBio Studio, which is that of the documentation; null for what FEBio Studio does not
-/// offer.
+/// The heading of a group in FEBio Studio, which is that of the documentation; null if FEBio Studio does not
+/// offer the group.
 constexpr const char* heading(ParameterGroup group) {
   switch (group) {
     case ParameterGroup::effects:
@@ -183,7 +183,7 @@ constexpr const char* heading(ParameterGroup group) {
   return nullptr;
 }
 
-/// How a parameter stands in a model file.
+/// The form of a parameter in a model file.
 struct ParameterTag {
   const char* name = "";
   const char* long_name = "";  ///< what a user reads in FEBio Studio
@@ -320,14 +320,14 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   for_each_unused_parameter(p, take);
 }
 
-/// What is wrong with the parameters, one sentence each that names the parameter and what is allowed; empty if nothing
-/// is.
+/// The faults of the parameters, one sentence each that names the parameter and the allowed values; empty if there
+/// are none.
 std::vector<std::string> complaints(const ContactParameters& parameters);
 
-/// What is wrong with a load curve on a parameter that must not change in a run; empty where it may.
+/// The fault of a load curve on a parameter that must not change in a run; empty if it may.
 std::string load_curve_complaint(const ParameterTag& tag);
 
-/// What a user should know of parameters that have no effect here, one sentence each.
+/// Notices for a user about parameters that have no effect here, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
 
 /// Whether the surfaces resist sliding; a load curve may bring friction later.
@@ -336,7 +336,7 @@ bool has_friction(const ContactParameters& parameters);
 /// Whether the fluid bears a part of the load that friction does not see; a load curve may bring that later.
 bool is_relieved_by_fluid(const ContactParameters& parameters);
 
-/// What penalties, and conductances of membranes, of 0 leave out of the contact; one that a load curve changes leaves
+/// The effects that penalties, and conductances of membranes, of 0 leave out; one that a load curve changes leaves
 /// out nothing.
 struct LeftOut {
   bool contact = false;  ///< without a penalty of the traction surfaces never touch
@@ -346,7 +346,7 @@ struct LeftOut {
 };
 LeftOut left_out(const ContactParameters& parameters);
 
-/// Whether stiffness and conductance are read again at each time step: where asked for, and where solutes are exchanged
+/// Whether stiffness and conductance are read again at each time step: on request, and where solutes are exchanged
 /// whose penalty is not given, so that it follows the convection.
 bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 

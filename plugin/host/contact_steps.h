@@ -1,7 +1,7 @@
-/// What a host of contacts does at each call, by the phase that it is in (stepper.h).
+/// The actions of a host of contacts at each call, by the phase that it is in (stepper.h).
 ///
 /// There is one for a model, and it acts on all contacts of the model: hosts that inform each contact of a call pass
-/// on which one it is, and the first one to be told does it for all.
+/// on which one it is, and the first one to be called does it for all.
 #pragma once
 
 #include "solver/helper.h"
@@ -26,10 +26,10 @@ class SteppedContact {
   virtual void end_iterations() = 0;
   /// Returns whether loads have changed.
   virtual bool begin_iteration() = 0;
-  /// Where no matrix follows: loads of the true laws at this state, without their linearisation.
+  /// Holds loads of the true laws at this state, without their linearisation, for an evaluation that no matrix follows.
   virtual void hold_loads() = 0;
   virtual void linearise_at() = 0;
-  /// Whether the matrix of this iteration serves the next one, too, with what correct() makes of its linearisation.
+  /// Whether the matrix of this iteration serves the next one, too, with its linearisation corrected by correct().
   virtual bool keeps_matrix() = 0;
   /// Begins an iteration with the linearisation that is held: its gaps and jumps take their true values.
   /// Returns whether loads change.
@@ -37,7 +37,7 @@ class SteppedContact {
   virtual bool is_solution() = 0;
   /// Whether a solution has nodes at the edge of contact that have to be tried once more: it is none then.
   virtual bool reconsiders_edge() = 0;
-  /// Whether what a converged state tells of overlaps changes the loads.
+  /// Whether overlaps detected at a converged state change the loads.
   virtual bool finds_overlap() = 0;
 };
 
@@ -63,7 +63,7 @@ class SteppedModel {
   virtual bool apply_ambient() = 0;
   /// Evaluates bodies and contacts at the present state, by way of ContactSteps::evaluate().
   virtual void evaluate() = 0;
-  /// Within an evaluation: has the bodies evaluated after the contacts.
+  /// Has the bodies evaluated after the contacts, within an evaluation.
   virtual void evaluate_bodies_after_contacts() = 0;
   /// Evaluates the residual again, or what of it has changed.
   virtual void evaluate_residual(Changed what) = 0;
@@ -72,7 +72,7 @@ class SteppedModel {
   virtual MatrixUse matrix_use() = 0;
   /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
   virtual bool is_matrix_due() = 0;
-  /// An iteration has ended that is to go on with the matrix of before. Where that leaves too much of the residual,
+  /// An iteration has ended that is to go on with the earlier matrix. If that leaves too much of the residual,
   /// forms another one at this state, as the host does within its iterations. Returns whether it has.
   virtual bool replaces_matrix() = 0;
   /// Says whether the next iteration needs a matrix of its own.
@@ -92,7 +92,7 @@ class ContactSteps {
   void reset_rounds();
 
   // Calls that a host makes for each contact
-  /// Returns whether this contact is the first one to be told.
+  /// Returns whether this contact is the first one to be called.
   bool prepare_step(const void* told);
   void evaluate(const void* told);
   void try_increment(const void* told, const std::vector<double>& increment);
@@ -116,7 +116,7 @@ class ContactSteps {
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 
  private:
-  /// What an iteration that begins has changed.
+  /// The changes by an iteration that begins.
   struct Changes {
     bool loads;   ///< of contacts
     bool values;  ///< at nodes, which the bodies depend on

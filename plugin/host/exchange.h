@@ -1,4 +1,4 @@
-/// What a contact exchanges: what the materials on both sides allow, and of that what the model asks for.
+/// The effects that a contact exchanges: those that the materials on both sides allow and the model requests.
 #pragma once
 
 #include "contact/base/effects.h"
@@ -21,7 +21,7 @@ struct Exchange {
   std::vector<std::string> complaints;  ///< what is wrong with the request, one sentence each
 };
 
-/// What is known of the nodes of both surfaces.
+/// The motion of the nodes of both surfaces, as far as it is known.
 enum class Motion {
   undecided,   ///< nothing yet
   possible,    ///< at least one can move
@@ -33,7 +33,7 @@ enum class Motion {
 /// Adds what penalties of 0, and membranes that stop a field, leave out to the obstacles of the fields.
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
-/// What a model says about friction.
+/// The friction that a model requests.
 struct FrictionRequest {
   bool has_coefficient = false;  ///< it is not 0, or a load curve changes it
   bool has_fluid = false;        ///< the pressure of a fluid on either side bears a part of the load

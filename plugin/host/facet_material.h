@@ -1,4 +1,4 @@
-/// What a contact needs to know of the materials behind its facets, as hosts find it and as the core takes it.
+/// The materials behind the facets of a contact, as hosts find them and as the core takes them.
 #pragma once
 
 #include "contact/interface/interface.h"
@@ -34,7 +34,7 @@ bool has_fluid(const FacetMaterials& materials);
 void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,
                    const mixture_contact::Effects& effects);
 
-/// Has the core take the materials anew, for its automatic penalties.
+/// Gives the core the present materials, for its automatic penalties.
 void update_materials(mixture_contact::ContactInterface& core, const FacetMaterials& materials);
 
 /// The solute that a field in the order of Effects is; -1: the solvent, exchanged or read by friction alone.

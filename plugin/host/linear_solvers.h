@@ -3,14 +3,14 @@
 
 #include <string>
 
-/// What a matrix with a contact asks of a linear solver.
+/// The requirements of a matrix with a contact on a linear solver.
 struct MatrixKind {
   bool symmetric = false;    ///< whether all contacts keep it symmetric
   bool multipliers = false;  ///< whether it holds multipliers, whose diagonal is zero
 };
 
-/// What is wrong with solving such a matrix by FEBio's solver of this type ("pardiso", "fgmres", ...), and what to take
-/// instead; empty where nothing is known against it.
+/// The reason against solving such a matrix by FEBio's solver of this type ("pardiso", "fgmres", ...), and another one
+/// to take; empty if there is none.
 std::string linear_solver_complaint(const std::string& type, MatrixKind matrix);
 
 /// Whether a solver of this type may be given loads at nodes as further unknowns (mixed_form.h), whose rows and columns

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-/// What is wrong with the parameters of a membrane, one sentence each; empty if nothing is. `solutes`: how many the
+/// The faults of the parameters of a membrane, one sentence each; empty if there are none. `solutes`: how many the
 /// model has.
 std::vector<std::string> membrane_complaints(const MembraneParameters& membrane, int solutes);
 
-/// The counterpart for what a contact exchanges: reflected solutes need a film that the solvent crosses, too.
+/// The faults of a membrane in view of the exchange: reflected solutes need a film that the solvent crosses, too.
 std::vector<std::string> membrane_complaints(const MembraneParameters& membrane,
                                              const mixture_contact::Effects& effects);
 
-/// What a user should know of parameters of a membrane that have no effect, one sentence each.
+/// Notices for a user about parameters of a membrane that have no effect, one sentence each.
 std::vector<std::string> membrane_notices(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 
 /// The film as the core takes it.

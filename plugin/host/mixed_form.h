@@ -1,8 +1,8 @@
 /// Loads at nodes as unknowns of the linear system alone.
 ///
 /// A load that follows what it depends on couples all nodes around its own with each other: its part of the tangent is
-/// a product of two vectors, work factor variation^T. With the change of the load as one more unknown z the same
-/// equations read, in mixed form,
+/// a product of two vectors, work factor variation^T. The change of the load as one more unknown z gives the same
+/// equations in mixed form,
 ///
 ///     | T       column   | | du |   | r |
 ///     | row^T   diagonal | | z  | = | 0 |
@@ -13,7 +13,7 @@
 
 #include "contact/base/patch.h"
 
-/// What a load adds to the tangent in mixed form.
+/// The terms that a load adds to the tangent in mixed form.
 struct MixedForm {
   mixture_contact::VectorXd column;  ///< by z, of the size of LoadBlock::work
   mixture_contact::VectorXd row;     ///< of the equation of z, of the size of LoadBlock::variation; of length 1
@@ -21,7 +21,7 @@ struct MixedForm {
   double load = 0;  ///< of z = 1
 };
 
-/// z is in units of du, and so small beside it that the norms of increments which a solver tests for convergence are
+/// z is in units of du, and so small compared with it that the norms of increments which a solver tests are
 /// those without z: its square is lost in the rounding of theirs.
 inline constexpr double load_unknown_scale = 1e-9;
 

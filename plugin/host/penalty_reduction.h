@@ -1,16 +1,16 @@
 /// Automatic penalties of the traction that are reduced where time steps fail.
 ///
 /// A penalty is a device, no property of the scene: a hard contact can invert an element where a softer one does not.
-/// There is one state for a model, since a step that fails does not tell which of its contacts is to blame.
+/// There is one state for a model, since a step that fails does not show which of its contacts is to blame.
 ///
 ///     full or reduced ---fail---> the softest level, the stiffness of the bodies
 ///     reduced ---accept, as often as the patience asks---> one level less, in the end full
 ///
-/// A body that a hard contact has pressed has to give way to a softer one: the tractions of the accepted state that the
+/// A body that a hard contact has pressed has to yield to a softer one: the tractions of the accepted state that the
 /// smaller penalty does not bear fade over the length of the step that has failed. The shorter the attempt, the less it
 /// has to release.
 ///
-/// Where an attempt fails after penalties had recovered, they take twice as many accepted steps until they do so again:
+/// If an attempt fails after penalties had recovered, they take twice as many accepted steps until they do so again:
 /// a scene that needs soft contact for long is not tried in vain at every other step.
 #pragma once
 
@@ -20,15 +20,15 @@ namespace mixture_contact {
 
 class PenaltyReduction {
  public:
-  /// What a level divides penalties by, and how many levels there are: from the default factor down to 1.
+  /// The factor of a level that divides penalties, and how many levels there are: from the default factor down to 1.
   static constexpr double per_level = 10;
   static constexpr int most_levels = 3;
 
-  /// What automatic penalties are divided by at present.
+  /// The present divisor of automatic penalties.
   double divisor() const;
   bool is_full() const { return level_ == 0; }
 
-  /// What a step of `dt` has to do [s].
+  /// The reduced penalties of a step of `dt` [s].
   ReducedPenalty at(double dt) const;
 
   /// An attempt at a step of `dt` has failed [s], and another one follows. Returns whether penalties are smaller from

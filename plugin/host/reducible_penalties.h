@@ -6,7 +6,7 @@
 
 class ReduciblePenalties {
  public:
-  /// What a step of `dt` does with them [s].
+  /// The reduced penalties of a step of `dt` [s].
   mixture_contact::ReducedPenalty at(double dt) const { return reduction_.at(dt); }
   bool are_reduced() const { return !reduction_.is_full(); }
 
@@ -17,7 +17,7 @@ class ReduciblePenalties {
   void note(const std::string& contact, const mixture_contact::Overlap& overlap, double time);
   /// A step has been accepted.
   void accept() { reduction_.accept(); }
-  /// What the log is to say at the end of a run; empty where nothing.
+  /// The line of the log at the end of a run; empty if there is none.
   std::string summary() const;
 
   /// Calls take(value) for each value of the state.

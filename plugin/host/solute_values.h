@@ -13,6 +13,6 @@ struct SoluteValue {
   int index() const { return solute > 0 ? solute - 1 : 0; }
 };
 
-/// What is wrong with the values of a tag: a sentence on the first fault; empty if nothing is. `solutes`: how many the
+/// The first fault of the values of a tag, as a sentence; empty if there is none. `solutes`: how many the
 /// model has. `most`: the largest value that is allowed; the least is 0.
 std::string complaint(const std::string& tag, const std::vector<SoluteValue>& values, int solutes, double most);

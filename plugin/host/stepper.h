@@ -1,8 +1,8 @@
 /// The order in which things happen around a contact: time steps, iterations, trials, augmentations.
 ///
-/// A host solves a step by Newton's method. Between two of its calls the contacts of its model are in one of a few
-/// phases, and the phase alone decides what a call means. The machine knows no host: it is told of events and answers
-/// what is to be done.
+/// A host solves a step by Newton's method. The contacts of its model are in one of a few phases between two of its
+/// calls, and the phase alone decides what a call means. The machine knows no host: it receives events and returns
+/// the actions that follow.
 ///
 ///     converged ---evaluate---> begun ---prepare_step---> step_prepared
 ///     begun, step_prepared, evaluated, uncorrected ---form_matrix---> forming, forming_loads, forming_anew
@@ -28,27 +28,27 @@ enum class Phase {
   trial,          ///< a trial state is set, but not evaluated yet; the active set is held
   evaluated,      ///< a trial state has been evaluated
   rejected,       ///< the host has converged at a state that is no solution
-  uncorrected,    ///< the same, where what is held serves on once it is corrected
+  uncorrected,    ///< the same, where the held linearisation is corrected and used again
   corrected       ///< an iteration has begun with the matrix and the linearisation of the last one
 };
 
-/// What the iteration has that follows a convergence that is rejected.
+/// The start of the iteration that follows a convergence that is rejected.
 enum class GoesOn {
   matrix,     ///< one of its own
   correction  ///< that of before, and its linearisation, corrected
 };
 
-/// What of the model has changed since the host evaluated its residual.
+/// The part of the model that has changed since the host evaluated its residual.
 enum class Changed { nothing, loads, all };
 
 class Stepper {
  public:
-  /// What an evaluation of the model asks for.
+  /// The actions of an evaluation of the model.
   enum class Evaluation {
     keep_active_set,    ///< of a trial: nothing changes
     begin_anew,         ///< a step or an augmentation: forget what was held, and begin an iteration
-    go_on,              ///< convergence was rejected: begin an iteration from what the last one predicts
-    keep_linearisation  ///< convergence was rejected: the iteration goes on with what is held
+    go_on,              ///< convergence was rejected: begin an iteration from the prediction of the last one
+    keep_linearisation  ///< convergence was rejected: the iteration goes on with the held linearisation
   };
   Evaluation evaluate();
 
@@ -58,12 +58,12 @@ class Stepper {
   /// A trial state has been set.
   void try_state() { phase_ = Phase::trial; }
 
-  /// What a matrix asks for before it is formed.
+  /// The actions before a matrix is formed.
   enum class Matrix {
     predict,   ///< the first one of a step: a predictor may move the model
     nothing,   ///< an iteration has begun at this state already
     begin,     ///< the state of the last trial is accepted: begin an iteration
-    is_formed  ///< the host has been told already
+    is_formed  ///< the host has been informed already
   };
   Matrix before_matrix() const;
   /// The matrix is formed now.
@@ -89,11 +89,11 @@ class Stepper {
   int rejections_ = 0;  ///< in this step
 };
 
-/// Tells a host that informs several participants of one event, one after the other, apart from a host that informs
-/// them of the next event: a round ends where a participant is told again.
+/// Distinguishes a host that informs several participants of one event, one after the other, from a host that informs
+/// them of the next event: a round ends where a participant is informed again.
 class Round {
  public:
-  /// Whether this participant is the first one to be told.
+  /// Whether this participant is the first one to be informed.
   bool opens(const void* participant);
   void reset() { told_.clear(); }
 

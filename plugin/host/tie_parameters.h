@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// What a tie breaks at. Without a strength it lasts for ever.
+/// The values at which a tie breaks. It lasts for ever without a strength.
 struct BreakingParameters {
   Given<double> max_traction;           ///< sigma_c [MPa]
   Given<double> max_shear;              ///< tau_c [MPa]; by default sigma_c
@@ -64,7 +64,7 @@ void for_each_tie_parameter(TieParameters& parameters, const Take& take) {
 /// How the tie breaks.
 mixture_contact::BreakingLaw breaking_law(const BreakingParameters& parameters);
 
-/// What is wrong with the parameters, those of breaking among them: a sentence each.
+/// The faults of the parameters, those of breaking among them: a sentence each.
 std::vector<std::string> tie_complaints(const TieParameters& parameters);
 
 /// Takes over what the sliding contact of broken nodes has of the tie's parameters; what a host has found stays.
@@ -74,7 +74,7 @@ void follow_tie(ContactParameters& sliding, const TieParameters& tie);
 mixture_contact::Settings tie_settings(const ContactParameters& parameters, SolverKind solver, double time_step,
                                        const mixture_contact::BreakingLaw& breaking = mixture_contact::Unbreakable());
 
-/// What a tie exchanges of the fields of its surfaces (see decide_exchange()); a penalty of 0 leaves out its own effect
+/// The fields of its surfaces that a tie exchanges (see decide_exchange()); a penalty of 0 leaves out its own effect
 /// alone.
 Exchange tie_exchange(const ContactParameters& parameters, std::vector<FieldAtContact> fields);
 

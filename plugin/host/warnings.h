@@ -1,4 +1,4 @@
-/// What a host's log says of overlap.
+/// Warnings of overlap in a host's log.
 #pragma once
 
 #include "contact/interface/overlap.h"

@@ -13,7 +13,7 @@ constexpr decltype(auto) at(Container&& entries, Number number) {
   return std::forward<Container>(entries)[static_cast<std::size_t>(number)];
 }
 
-/// The number of entries, for what hosts and files count in ints.
+/// The number of entries as an int, for hosts and files that count in ints.
 template <class Container>
 int number_of(const Container& entries) {
   return static_cast<int>(entries.size());

@@ -35,7 +35,7 @@ struct Condition {
 /// Product of a row or a column of a condition with a vector over the same equations.
 double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values);
 
-/// What a matrix with conditions has for its solution.
+/// The solution of a matrix with conditions.
 struct Answer {
   std::vector<double> x;
   std::map<int, double> z;  ///< by the keys of the conditions

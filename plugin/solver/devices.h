@@ -16,7 +16,7 @@ enum class Device {
   loads_as_unknowns,            ///< loads at nodes are further unknowns of the matrix
   row_operations,               ///< rows of loads take those of their nodes, so that pivots lie in order
   deferred_coupling,            ///< couplings across the contact stay out of the matrix, and come in by iteration
-  kept_matrix,                  ///< a matrix of a quasi-Newton method serves on where contact changes
+  kept_matrix,                  ///< a matrix of a quasi-Newton method is reused although contact changes
   active_set_prediction,        ///< nodes open and close as the matrix answers, before the solver solves
   non_negative_concentrations,  ///< clamped concentrations are solved as an inequality
   line_search_guard,            ///< an increment that the line search cut short is taken as a whole
@@ -41,7 +41,7 @@ struct NamedDevices {
 };
 /// Reads "all", "none", or names with commas between them.
 NamedDevices named_devices(const std::string& list);
-/// What may stand there, in a sentence.
+/// The allowed values, in a sentence.
 std::string allowed_devices();
 /// The names of some devices with commas between them; "none" where there are none.
 std::string names(const DeviceSet& set);

@@ -1,6 +1,6 @@
 /// Nodal values that are switched between free and held.
 ///
-/// In FEBio's way: a value with equation n counts as prescribed while its code is -n-2. No equation is renumbered.
+/// FEBio takes a value with equation n as prescribed while its code is -n-2. No equation is renumbered.
 #pragma once
 
 #include "solver.h"

@@ -1,7 +1,7 @@
-/// What helps a Newton solver, and the one interface through which it is driven.
+/// Helpers of a Newton solver, and the one interface through which it is driven.
 ///
-/// A helper has one switch. It is told of the phases of a step and acts on the solver; it knows nothing of what else
-/// stands in the model.
+/// A helper has one switch. It is called at the phases of a step and acts on the solver; it knows nothing of the rest
+/// of the model.
 #pragma once
 
 #include "archive.h"
@@ -34,9 +34,9 @@ class Helper {
   virtual void begin_iterations() {}
   /// A trial increment has been set.
   virtual void try_increment(const std::vector<double>& /*increment*/) {}
-  /// At an accepted state within iterations. Returns whether the model is to be evaluated again.
+  /// Acts at an accepted state within iterations. Returns whether the model is to be evaluated again.
   virtual bool adapt() { return false; }
-  /// At an accepted state whose residual the solver has not evaluated. Returns whether the model is to be evaluated
+  /// Acts at an accepted state whose residual the solver has not evaluated. Returns whether to evaluate the model
   /// again.
   virtual bool adapt_before_residual() { return false; }
 
@@ -45,10 +45,10 @@ class Helper {
   /// The last word on a converged state: returns whether the solver is to go on, and prepares that.
   virtual bool rejects() { return false; }
 
-  /// Before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
+  /// Acts before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
   /// whether it has; if not, the state is that of before.
   virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
-  /// With that matrix.
+  /// Acts with that matrix.
   virtual void complete_residual() {}
   /// Whether it multiplies changes of nodal values by the matrix, so that this may have no unknowns that follow them.
   virtual bool multiplies_by_matrix() const { return false; }
@@ -68,7 +68,7 @@ class Helper {
   virtual void archive(Archive& /*archive*/) {}
 };
 
-/// The helpers of a model. One that is switched off is told of nothing but restarts, and lets go where iterations
+/// The helpers of a model. One that is switched off hears of nothing but restarts, and stops where iterations
 /// begin.
 class Helpers {
  public:
@@ -82,7 +82,7 @@ class Helpers {
   void add(Device device, std::unique_ptr<Helper> helper, Switch is_on, DeviceRecord& record);
   /// Adds a helper that is no device.
   void add(std::unique_ptr<Helper> helper, Switch is_on);
-  /// What Helper::unavailable() says of one.
+  /// The text of Helper::unavailable() of one.
   std::string unavailable(Device device) const;
 
   void begin_step();
@@ -120,8 +120,8 @@ class Helpers {
   /// Whether the answer of a helper that is on is yes; after the first one no more are asked.
   template <class Ask>
   bool any(const Ask& ask) const;
-  /// Whether the answer of a helper that is on is yes, by which it acts: its device counts that. After the first one no
-  /// more are asked.
+  /// Whether the answer of a helper that is on is yes, by which it acts: its device counts that. No more are asked
+  /// after the first one.
   template <class Ask>
   bool any_acts(const Ask& ask);
 

@@ -1,6 +1,6 @@
-/// What a line search leaves of an increment.
+/// The guard against an increment that a line search has shortened.
 ///
-/// FEBio's norms are those of what its line search left of an increment. It compares sums of energies and flows, which
+/// FEBio's norms are those of the increment after its line search. That compares sums of energies and flows, which
 /// may cancel by chance: it then shortens an increment that Newton's method got right, and most of the residual remains
 /// though all norms are met. The next increment, which is the same, is to be taken as it is.
 #pragma once
@@ -15,12 +15,12 @@ class LineSearchGuard : public Helper {
  public:
   explicit LineSearchGuard(Solver& solver) : solver_(solver) {}
 
-  /// What was left out in the last step, or in a failed attempt, counts no more.
+  /// The part left out in the last step, or in a failed attempt, counts no more.
   bool begin_step() override;
   void try_increment(const std::vector<double>& increment) override;
   /// Whether a solution that the solver is about to accept took a small part of its last increment for all of it; if so
-  /// the next one is not searched. Not where the residual that is left is rounding. Once in a step: where increments
-  /// are rounding, so is what the search finds.
+  /// the next one is not searched. It does not count if the rest is rounding. Once in a step: where increments
+  /// are rounding, so is the result of the search.
   bool rejects() override;
   void let_go() override { allow_search(); }
 

@@ -2,7 +2,7 @@
 ///
 /// FEBio's solver for the solute module always, and that for the multiphasic module by option, sets negative
 /// concentrations to zero after each iteration. Fronts thinner than an element (d dt << h^2) undershoot, so this
-/// happens at every early step. Newton's method is not told: it computes the same negative change for ever, the line
+/// happens at every early step. Newton's method does not know: it computes the same negative change for ever, the line
 /// search shrinks, and the step fails. Here the clamp is made an inequality that Newton can solve: a concentration that
 /// would become negative is held at zero, as a prescribed value, until its balance wants it to be positive (a
 /// primal-dual active set). The state reached is the one that the clamp means. Nothing happens where nothing is

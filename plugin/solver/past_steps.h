@@ -1,8 +1,8 @@
-/// Predictions of a quantity from its last steps: curves through its past states, judged by what each would have
-/// predicted of the last step.
+/// Predictions of a quantity from its last steps: curves through its past states, chosen by their error in predicting
+/// the last step.
 ///
 /// Quantities that creep or diffuse change ever more slowly, and a time stepper lengthens its steps as they do. Then
-/// the states are smooth functions of the number of the step rather than of time. So there are two coordinates for the
+/// the states are smooth functions of the number of the step rather than of time. The curves therefore have two
 /// curves: time, and the stretched time in which the last two steps are equally long. Polynomials are in Newton's form
 /// (divided differences), whose terms add one degree each.
 #pragma once
@@ -16,13 +16,13 @@
 
 namespace newton {
 
-/// A polynomial through past states: its degree, and the part from 0 to 1 of its last term. Of degree 0 there is none.
+/// A polynomial through past states: its degree, and the part from 0 to 1 of its last term. Degree 0 means none.
 struct Curve {
   int degree = 0;
   double last_part = 1;
 };
 
-/// What a step of length dt [s] changed. The values have any shape that is the same for all steps.
+/// The change by a step of length dt [s]. The values have any shape that is the same for all steps.
 struct Change {
   Eigen::MatrixXd values;
   double dt = 0;

@@ -1,16 +1,16 @@
 /// The state at which the first matrix of a time step is formed.
 ///
-/// Newton's method starts a step at the end of the last one. Where a solution evolves smoothly, curves through the last
+/// Newton's method starts a step at the end of the last one. If a solution evolves smoothly, curves through the last
 /// states predict the next one to a part in a thousand (past_steps.h), and an iteration that starts there leaves an
-/// error smaller by as much again. Where a load curve turns they do not, and the step starts plainly.
+/// error smaller by as much again. The curves fail where a load curve turns, and the step starts plainly.
 ///
 /// With P the predicted change, the solver counts (1 - theta) P as done, theta being 1e-4, and with K the matrix at
 /// x + P its first increment is
 ///
 ///   u = theta P + K^-1 R(x + P),   that is   K u = R(x + P) + theta K P .
 ///
-/// So its tests see by how much the increment corrects the prediction, next to the change of the whole step, and a step
-/// may end with its first iteration. What they ask for is what they ask of any later iteration.
+/// Its tests therefore see by how much the increment corrects the prediction, next to the change of the whole step, and
+/// a step may end with its first iteration. They require what they require of any later iteration.
 ///
 /// A predicted state is dropped, and the state of the plain start restored, where an element is inverted there, or
 /// where the residual is larger than that of the plain start: free values unchanged, prescribed ones at their new
@@ -25,7 +25,7 @@
 
 namespace newton {
 
-/// A failed attempt tells that steps as long as it are not smooth. After it as many steps start plainly as the curves
+/// A failed attempt shows that steps as long as it are not smooth. After it as many steps start plainly as the curves
 /// take changes from, so that they have only seen what came after.
 inline constexpr int plain_steps_after_failure = 5;
 
@@ -66,7 +66,7 @@ class Predictor : public Helper {
   int iterations_plain_ = 1;                ///< of the last step that began plainly
   double error_ = 1;                        ///< of the prediction of the last change, the largest of a variable
   double error_in_vain_ = 0;                ///< the same where a prediction saved no iteration
-  std::vector<double> part_of_prediction_;  ///< theta P, per equation; empty but for the first iteration of a step
+  std::vector<double> part_of_prediction_;  ///< theta P, per equation; empty except in the first iteration of a step
 };
 
 }  // namespace newton

@@ -1,7 +1,7 @@
-/// The least residual that a solver can come to beside a stiff contact.
+/// The least residual that a solver can reach with a stiff contact.
 ///
-/// A large penalty multiplies the rounding of positions. In a step in which nothing changes the residual is that from
-/// the start, and no part of it goes away: what measures it against its own first value never ends.
+/// A large penalty multiplies the rounding of positions. The residual is that rounding from the start of a step in
+/// which nothing changes, and no part of it goes away: a test against its first value never ends.
 #pragma once
 
 #include "helper.h"

@@ -18,7 +18,7 @@ struct RowOperation {
   int row = 0;
   std::vector<Term> terms;
 
-  /// What it adds to its entry of a right-hand side.
+  /// The term that it adds to its entry of a right-hand side.
   double added_to(const std::vector<double>& right) const {
     double sum = 0;
     for (const Term& term : terms) sum += term.factor * indexing::at(right, term.row);

@@ -1,4 +1,4 @@
-/// What is asked of a matrix that has been factorised.
+/// A solution with a matrix that has been factorised.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-/// What the helpers need of a Newton solver and its model. FEBio's is in solver/febio, the tests have a fake one.
+/// The Newton solver and its model as the helpers need them. FEBio's is in solver/febio, the tests have a fake one.
 #pragma once
 
 #include "indexing/entries.h"
@@ -54,7 +54,7 @@ class Solver {
   Solver& operator=(Solver&&) = delete;
   virtual ~Solver() = default;
 
-  /// Whether the present step is solved by Newton's method; nothing else below may be asked for where it is not.
+  /// Whether the present step is solved by Newton's method; nothing else below may be called where it is not.
   virtual bool is_newton() const = 0;
 
   // Nodal values
@@ -69,7 +69,7 @@ class Solver {
   virtual void set_equation(Place place, int code) = 0;
   virtual double value(Place place) const = 0;
   virtual void set_value(Place place, double value) = 0;
-  /// At the end of the last step.
+  /// The value at the end of the last step.
   virtual double previous_value(Place place) const = 0;
 
   // The solver

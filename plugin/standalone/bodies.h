@@ -5,7 +5,7 @@
 
 namespace standalone {
 
-/// The elements of a model with what is integrated over them. Evaluations are const; only accept_step() changes the
+/// The elements of a model with their integration points. Evaluations are const; only accept_step() changes the
 /// history.
 ///
 /// Local vectors of an element are field by field, in the order of places(): only the fields that its material has.
@@ -29,7 +29,7 @@ class Bodies {
   /// point.
   MatrixXd tangent(std::size_t e, const MatrixXd& values, double dt) const;
 
-  /// Keeps J and the contents at these nodal values as what the next time step starts from.
+  /// Keeps J and the contents at these nodal values as the start of the next time step.
   void accept_step(const MatrixXd& values);
 
   /// Averages over an element's integration points, for output and automatic penalties.

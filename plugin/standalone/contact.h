@@ -7,7 +7,7 @@
 
 namespace standalone {
 
-/// One contact. Its state, beside the core's multipliers and status, are the current nodal values that the caller
+/// One contact. Its state, besides the core's multipliers and status, are the current nodal values that the caller
 /// passes.
 class Contact {
  public:

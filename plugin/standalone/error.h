@@ -1,4 +1,4 @@
-/// What can go wrong in a run, as exceptions.
+/// The errors of a run, as exceptions.
 #pragma once
 
 #include <stdexcept>

@@ -17,7 +17,7 @@ namespace standalone {
 template <class T>
 using PointFields = Eigen::Matrix<T, 4, max_fields>;
 
-/// What the last time step left at a point.
+/// The state of a point after the last time step.
 struct PointHistory {
   double volume_ratio = 1;  ///< J
   double content = 0;       ///< J phi_w kappa~ c~ [nmol/mm^3]
@@ -99,8 +99,8 @@ PointState<T> point_state(const Material& material, double gas_energy, const Poi
   return s;
 }
 
-/// What the fields of a point do work on: row 0 with the virtual value, rows 1 to 3 with its reference gradient, per
-/// column
+/// The quantities that the fields of a point do work on: row 0 with the virtual value, rows 1 to 3 with its gradient
+/// in the reference configuration, per column
 ///
 ///   u (2.1)  [0; P_i]    p~ (2.2)  [J_0 - J; dt W]    c~ (2.3)  [m_0 - m; dt J_k]
 ///

@@ -180,7 +180,7 @@ struct Model {
   std::vector<std::string> notices;  ///< what a user should know of parameters without effect
 
   const Material& material(const Element& element) const { return at(materials, element.material); }
-  /// What a model may ask for in its log section, under FEBio's names: x y z, ux uy uz, p, c1 ..., Rx Ry Rz.
+  /// The data that a model may have in its log section, under FEBio's names: x y z, ux uy uz, p, c1 ..., Rx Ry Rz.
   std::vector<std::string> node_data() const;
   /// Likewise: p, wx wy wz, c1 j1x j1y j1z ..., and c jx jy jz of the first solute.
   std::vector<std::string> element_data() const;

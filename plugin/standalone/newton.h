@@ -19,8 +19,8 @@ struct Effort {
   void operator+=(const Effort& other);
 };
 
-/// Full Newton: the matrix is formed anew in each iteration, contact status changes between iterations only, and what
-/// converged counts as a solution only if the status agrees with it and the augmentations are done.
+/// Full Newton: the matrix is formed in each iteration, contact status changes between iterations only, and a converged
+/// state counts as a solution only if the status agrees with it and the augmentations are done.
 class Newton : private mixture_contact::SteppedModel {
  public:
   Newton(Problem& problem, Log& log);
@@ -34,11 +34,11 @@ class Newton : private mixture_contact::SteppedModel {
   /// The state of the start of a step has been restored.
   void rewind() { steps_.rewind(); }
 
-  /// What the last step took, also if it failed.
+  /// The effort of the last step, also if it failed.
   const Effort& effort() const { return effort_; }
 
  private:
-  /// What the convergence tests compare: squared norms, those of fields for displacement, pressure and each
+  /// The squared norms that the convergence tests compare, those of fields for displacement, pressure and each
   /// concentration.
   struct Norms {
     double residual = 0;

@@ -1,4 +1,4 @@
-/// What a run writes beside its log: data files in FEBio's format, and files for ParaView.
+/// The output of a run besides its log: data files in FEBio's format, and files for ParaView.
 #pragma once
 
 #include "problem.h"

@@ -6,7 +6,7 @@
 
 namespace standalone {
 
-/// What is wrong where no element of either surface has a stiffness.
+/// The error where no element of either surface has a stiffness.
 inline constexpr const char* no_stiffness =
     "both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave <auto_penalty> "
     "at 0";

@@ -32,7 +32,7 @@ class Problem {
   void reduce_penalties(const mixture_contact::ReducedPenalty& reduction) { reduction_ = reduction; }
   /// Starts a time step that ends at `time` [s].
   void start_step(double time, double dt);
-  /// Keeps the current state as what the next step starts from.
+  /// Keeps the current state as the start of the next step.
   void accept_step();
   double time_increment() const { return dt_; }
 
@@ -49,7 +49,7 @@ class Problem {
   /// Assembles the tangent, -d residual/d values.
   void assemble(LinearSystem& system) const;
 
-  /// What stands at a place: nothing, or a value that is prescribed, the ambient one at a node that is not in contact,
+  /// The kind of a value: none, prescribed, the ambient one at a node that is not in contact,
   /// or unknown.
   enum class Status : unsigned char { absent, prescribed, ambient, free };
 

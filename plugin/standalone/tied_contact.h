@@ -7,7 +7,7 @@
 
 namespace standalone {
 
-/// One tie. Its state, beside the core's multipliers, are the current nodal values that the caller passes.
+/// One tie. Its state, besides the core's multipliers, are the current nodal values that the caller passes.
 class TiedContact {
  public:
   /// Finds what is tied in the reference configuration. Throws InputError where nothing can be.

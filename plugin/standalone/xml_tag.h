@@ -1,4 +1,4 @@
-/// Tags of an XML file, read strictly: whatever is missing, malformed or not asked for is an InputError that names tag
+/// Tags of an XML file, read strictly: a missing, malformed or unread tag is an InputError that names tag
 /// and line.
 #pragma once
 
@@ -25,7 +25,7 @@ inline constexpr Range any{[](double) { return true; }, "a number"};
 inline constexpr Range positive{[](double x) { return x > 0; }, "positive"};
 inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number that is not negative"};
 
-/// What a reader has asked for, tag by tag: all that a file may hold.
+/// The tags that a reader has read: all that a file may hold.
 struct Asked {
   struct OfTag {
     std::set<std::string> children;
@@ -35,7 +35,7 @@ struct Asked {
   std::map<const tinyxml2::XMLElement*, OfTag> tags;
 };
 
-/// A tag of a document that outlives it. Asking notes what was asked for.
+/// A tag of a document that outlives it. A reader's calls note the names that they ask about.
 class Tag {
  public:
   Tag(const tinyxml2::XMLElement& element, const std::string& file, Asked& asked)
@@ -45,7 +45,7 @@ class Tag {
   int line() const { return element_->GetLineNum(); }
   /// Throws the InputError "file, line 12, <tag>: what".
   [[noreturn]] void fail(const std::string& what) const;
-  /// Fails where this tag or one in it holds what was not asked for. Any tag may have a name.
+  /// Fails where this tag or one in it holds a tag that was not read. Any tag may have a name.
   void check() const;
 
   /// The children of a name; the one child, if there is one; and the one child that must be there.
@@ -88,7 +88,7 @@ class Tag {
   Asked* asked_;
 };
 
-/// Calls `read` with the root tag of a file, which then must hold no more than it asked for; throws InputError where
+/// Calls `read` with the root tag of a file, which then must hold no other tags; throws InputError where
 /// the file is missing, too large or no XML.
 void read_xml(const std::string& path, const std::function<void(const Tag&)>& read);
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import sys
 import tempfile
 import traceback
 from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 
 import typer
@@ -37,12 +39,27 @@ def function(name: str, known: Mapping[str, str]) -> Callable[..., None]:
     return found
 
 
-def commands(known: Mapping[str, str], arguments: Sequence[str] = ()) -> typer.Typer:
-    """The commands, or that alone which the arguments begin with: what the others need takes a second to import."""
+def described(name: str, known: Mapping[str, str]) -> Callable[[], None]:
+    """A stand-in for a command that has its help, read from its module's text: importing all takes seconds."""
+    spec = find_spec(known[name])
+    text = Path(spec.origin).read_text(encoding="utf-8") if spec and spec.origin else ""
+    defined = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef))
+    found = {node.name: ast.get_docstring(node) for node in defined}
+
+    def stand_in() -> None:
+        raise HarnessError(f"the command has to be the first word: {name}")
+
+    stand_in.__doc__ = found[name.replace("-", "_")]
+    return stand_in
+
+
+def commands(known: Mapping[str, str], arguments: Sequence[str] | None = None) -> typer.Typer:
+    """The commands; that alone which the arguments begin with, or a list of all where they begin with none."""
     app = typer.Typer(add_completion=False, no_args_is_help=True)
     app.callback(help=_ABOUT)(lambda: None)
-    for name in [*arguments[:1]] if set(arguments[:1]) & set(known) else known:
-        app.command(name)(function(name, known))
+    called = known if arguments is None else [name for name in arguments[:1] if name in known]
+    for name in called or known:
+        app.command(name)(function(name, known) if called else described(name, known))
     return app
 
 

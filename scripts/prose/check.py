@@ -1,9 +1,10 @@
-"""Holds README, CONTRIBUTING, all pages, the help of the commands and the messages to users to the style.
+"""Holds README, CONTRIBUTING, all pages, the help of the commands, messages and comments of headers to the style.
 
     python scripts/prose/check.py [file ...]
 
 The help of each command is on the page of commands. Messages are texts of several words in the plugin's sources and in
 those of the commands for users. Exit code 1: something was found.
+Comments of headers follow the rules on subjects and words.
 """
 
 from __future__ import annotations
@@ -11,20 +12,35 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
-from prose.rules import Rule, house  # noqa: E402
-from prose.text import Sentence, sentences  # noqa: E402
+from prose.rules import Rule, house, of_comments  # noqa: E402
+from prose.text import CODE, END, Sentence, sentences  # noqa: E402
 
 ENTRY = "scripts/mixcontact"
-TALKING = ("preflight", "conversion", "run")
-"""Folders of the harness with messages to users."""
+TALKING = (
+    "collection",
+    "conversion",
+    "ecosystem",
+    "indentation",
+    "models",
+    "post",
+    "preflight",
+    "report",
+    "run",
+    "validate",
+)
+"""Folders of the harness, whose messages users read."""
 LISTED = re.compile(r"^  (?:[a-z-]+, )*[a-z-]+  +(?=\S)")
 """Names of commands at the start of a line of the entry's help."""
+COMMENT = re.compile(r"^(?P<code>(?:[^\"\n]|\"[^\"\n]*\")*?)///?<? ?(?P<words>.*)$")
+"""A line with a comment of C++."""
+NAME = re.compile(r"`[^`]*`|\"[^\"]*\"|\w+::[\w:]+|\b\w+\(\)?")
+"""Names of the code in a comment."""
 FEW_WORDS = 2
 """Spaces in a text that is a message, at least."""
 
@@ -43,6 +59,20 @@ def messages_of_cpp(text: str) -> list[Sentence]:
     pieces = re.finditer(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*', code)
     found = ((code[: match.start()].count("\n") + 1, re.sub(r'"\s*"', "", match[0])) for match in pieces)
     return [Sentence(line, said.strip('"'), whole=False) for line, said in found if said.count(" ") >= FEW_WORDS]
+
+
+def comments_of_cpp(text: str) -> Iterator[Sentence]:
+    """Sentences of all comments, in order; the lines of one comment, or of one paragraph of it, belong together."""
+    held: list[str] = []
+    for number, line in enumerate([*text.splitlines(), ""], start=1):
+        found = COMMENT.match(line)
+        words = found["words"].strip() if found else ""
+        if held and (not words or (found and found["code"].strip())):
+            begins = number - len(held)
+            yield from (Sentence(begins, said, whole=True) for said in END.split(NAME.sub(CODE, " ".join(held))))
+            held = []
+        if words:
+            held.append(words)
 
 
 def messages_of_python(text: str) -> list[Sentence]:
@@ -75,14 +105,19 @@ READERS: dict[str, Callable[[str], list[Sentence]]] = {
 """How each kind of file is read."""
 
 
+def objections(said: Iterable[Sentence], rules: list[Rule]) -> Iterator[tuple[int, str]]:
+    """What the rules object to, with the line and the sentence."""
+    for sentence in said:
+        for rule in rules:
+            yield from ((sentence.line, f"{complaint}: {sentence.text[:100]}") for complaint in rule(sentence))
+
+
 def findings(name: str, rules: list[Rule]) -> list[str]:
-    """What the rules object to on a page, with its place and the sentence."""
-    return [
-        f"{name}:{sentence.line}: {complaint}: {sentence.text[:100]}"
-        for sentence in read(name)
-        for rule in rules
-        for complaint in rule(sentence)
-    ]
+    """What the rules object to in a file, with the place."""
+    found = [*objections(read(name), rules)]
+    if name.endswith(".h"):
+        found += objections(comments_of_cpp((ROOT / name).read_text(encoding="utf-8")), of_comments())
+    return [f"{name}:{line}: {text}" for line, text in found]
 
 
 def main(names: list[str]) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -82,7 +83,18 @@ def fragment(sentence: Sentence) -> Iterator[str]:
         yield "a sentence without a verb"
 
 
+def rule(name: str) -> Rule:
+    """The rule of a file in `house`."""
+    text = yaml.safe_load((HOUSE / f"{name}.yml").read_text(encoding="utf-8"))
+    return KINDS[text["extends"]](text)
+
+
 def house() -> list[Rule]:
     """All rules."""
-    texts = (yaml.safe_load(path.read_text(encoding="utf-8")) for path in sorted(HOUSE.glob("*.yml")))
-    return [*(KINDS[text["extends"]](text) for text in texts), fragment]
+    return [*(rule(path.stem) for path in sorted(HOUSE.glob("*.yml"))), fragment]
+
+
+@cache
+def of_comments() -> list[Rule]:
+    """The rules of comments in headers, which may be noun phrases, and long with their formulas."""
+    return [rule(name) for name in ("fronted", "noun_what", "openings", "words")]

@@ -15,6 +15,8 @@ ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|Eng|Mech|al|Commun|Numer|Ana
 END = re.compile(r"(?<=[.?!])\s+(?=[A-Z`\"(\u00c0-\u00dd])")
 CODE, FORMULA, RELATION = "Code", "X", "X is"
 """Words for a name in code, a formula, and a formula that says something."""
+TERM = re.compile(rf"^{CODE}(, {CODE})*: ")
+"""Names that a line of a list explains."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,6 @@ def sentences(markdown: str) -> Iterator[Sentence]:
             inside = token.type
         line = token.map[0] + 1 if token.map else line
         if token.type == "inline":
-            for text in split(plain(token)):
+            for text in split(TERM.sub("", plain(token))):
                 if text:
                     yield Sentence(line, text, inside == "paragraph_open")

@@ -72,7 +72,7 @@ PAGES: dict[str, Callable[[], str]] = {
 
 
 def pages(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail where a file is not up to date.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a file is not up to date.")] = False,
 ) -> None:
     """Write the generated pages of the documentation, from code and results in docs/data, and the models of models/.
 
@@ -86,6 +86,6 @@ def pages(
         if not check:
             path.write_text(text, encoding="utf-8")
         elif not path.is_file() or path.read_text(encoding="utf-8") != text:
-            raise HarnessError(f"{path} is not what `pages` writes; it writes it anew")
+            raise HarnessError(f"{path} is not what `pages` writes; it writes it again")
     if not check:
         sketches.draw(DOCS)

@@ -441,6 +441,8 @@ def test_no_folder_is_made_and_no_file_of_the_model_is_written_over(tmp_path):
         command(path, tmp_path / "elsewhere" / "model.feb")
     with pytest.raises(HarnessError, match="is a folder"):
         command(path, tmp_path)
+    with pytest.raises(HarnessError, match=r"ends in \.feb"):
+        command(path, tmp_path / "converted.txt")
     assert contents(tmp_path).keys() == {"model.feb"}
     pieces = in_pieces(tmp_path / "pieces", READ_BY[1])
     with pytest.raises(HarnessError, match=r"reads .*contact\.feb; name another --output"):

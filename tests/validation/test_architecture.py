@@ -58,6 +58,18 @@ def test_unit_tests_stand_in_the_folders_of_the_core() -> None:
     assert {path.parent.name for path in UNIT.rglob("test_*.cpp")} == {*floors(), "host", "solver"}
 
 
+def test_folders_that_are_named_elsewhere_are_there() -> None:
+    """In the order of the guide for developers, which is the other way round, and in what runs under Wine."""
+    guide = (ROOT / "docs" / "development" / "code.md").read_text(encoding="utf-8")
+    listed = re.search(r"`plugin/contact`, whose folders (.*?) each use only those after them", guide, re.DOTALL)
+    assert listed is not None
+    named = re.findall(r"`(\w+)`", listed[1])
+    assert named == [folder for folder in reversed(floors()) if folder in named]
+    tested = re.search(r"folders=\((.*?)\)", (ROOT / ".ci" / "run").read_text(encoding="utf-8"))
+    assert tested is not None
+    assert set(tested[1].split()) <= {path.name for path in UNIT.iterdir()}
+
+
 def test_what_helps_the_solver_knows_nothing_of_contact() -> None:
     """What connects it with FEBio uses the core's containers and threads."""
     of_others = [

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from harness.models.interface import InterfaceType
 from harness.paths import DOCS, MODELS
-from studies.models import platens
-from studies.pages.gallery import entries, figures, page
+from studies.models import joint, platens
+from studies.pages.gallery import cycle, entries, figures, page
 from studies.stamps import Stamp
 
 ENTRIES = {entry.model.name: entry for entry in entries.entries()}
@@ -38,6 +40,19 @@ def test_the_small_version_runs_and_is_drawn(shown, name, tmp_path):
     assert [path.name for path in drawn] == [f"{name}-section.png", f"{name}-curves.png"]
     assert all(path.read_bytes().startswith(PNG) for path in drawn)
     assert result.report.retries == 0
+
+
+def test_a_cycle_of_the_joint_is_an_animation_that_repeats(shown, tmp_path):
+    """A frame for each second; the force rises and falls, so that no two frames that follow each other are the same."""
+    drawn = cycle.draw(*shown("joint"), tmp_path / cycle.PICTURE)
+    with Image.open(drawn) as picture:
+        assert picture.n_frames == joint.PERIOD
+        assert picture.info["loop"] == 0
+        frames = []
+        for number in range(picture.n_frames):
+            picture.seek(number)
+            frames.append(np.asarray(picture.convert("RGB")))
+    assert all(np.any(a != b) for a, b in pairwise(frames))
 
 
 @pytest.mark.parametrize("name", ENTRIES)
@@ -102,3 +117,4 @@ def test_the_page_shows_each_model_and_is_up_to_date():
         assert (MODELS / f"{name}.feb").is_file()
         for kind in ("section", "curves"):
             assert (DOCS / page.IMAGES / f"{name}-{kind}.png").is_file()
+    assert (DOCS / page.IMAGES / cycle.PICTURE).is_file()

@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("lemminflect", reason="`scripts/mixcontact docs` installs it")
 
 from prose import check, count
-from prose.rules import house
+from prose.rules import house, of_comments
 from prose.text import Sentence, sentences
 
 RULES = house()
@@ -21,6 +21,9 @@ BAD = {
     "What is not exchanged has no entry.": "a noun in place of 'What'",
     "With one pass the integral runs over the primary surface.": "the subject first",
     "In the middle of the page stands the table.": "the subject first",
+    "Reported are the two slips.": "not with 'Reported are'",
+    "Not in these data: one mesh.": "not with 'Not'",
+    "* `--folder`: Where results go.": "not with 'Where'",
     "A residual of the solid in the log.": "without a verb",
     "Off by default.": "without a verb",
     "The node " + "closes and " * 20 + "opens.": "words in one sentence",
@@ -32,6 +35,7 @@ GOOD = (
     "Set `gaptol`, or leave it out.",
     "The contact transmits traction.",
     "**In your model.** Refine the mesh.",
+    "* `--folder`, `--out`: Write results to this folder.",
 )
 
 
@@ -82,3 +86,38 @@ def test_the_documentation_without_its_reference_is_short():
 
 def test_words_have_letters():
     assert count.words("| a word | 12 | `x = 1` |") == 3
+
+
+HEADER = """
+/// Which facets face each other: unbroken pairs() alone. Of a pair, the points.
+/// What a pair keeps.
+struct Pair {
+  int points;  ///< what the search told, "told"
+  bool open;   // and no other
+};
+
+/// Points of a pair by `told`.
+int stands_beside();
+"""
+
+
+def test_comments_of_a_header_are_sentences():
+    found = [(sentence.line, sentence.text) for sentence in check.comments_of_cpp(HEADER)]
+    assert found == [
+        (2, "Which facets face each other: unbroken Code alone."),
+        (2, "Of a pair, the points."),
+        (2, "What a pair keeps."),
+        (5, "what the search told, Code"),
+        (6, "and no other"),
+        (9, "Points of a pair by Code."),
+    ]
+
+
+def test_comments_of_a_header_follow_the_rules_on_subjects_and_words():
+    found = list(check.objections(check.comments_of_cpp(HEADER), of_comments()))
+    assert [text.split(":")[0] for _, text in found] == [
+        "'unbroken' is no word of the field",
+        "a sentence begins with its subject, not with 'Of'",
+        "a noun in place of 'What'",
+        "'told' is no word of the field",
+    ]

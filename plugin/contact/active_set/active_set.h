@@ -36,8 +36,8 @@ struct ActiveSetOptions {
   /// Loads of the linearised laws are those of a solution where they come this near to those of the true ones, as a
   /// part of the largest one. The size is a choice: no derivation stands behind it.
   double solution_load = 1e-2;
-  /// A linearisation that is held serves another iteration where its correction has left less than this part of what
-  /// the loads were off by. The size is a choice: corrections that end leave a tenth each.
+  /// A linearisation that is held serves another iteration where its correction has left less than this part of the
+  /// error of the loads. The size is a choice: corrections that end leave a tenth each.
   double most_left = 0.5;
   /// Nodes at most whose status may be another one than in the linearisation that a matrix is of, as its first
   /// iteration begins: each costs the host a back substitution, for an iteration less. The size is a choice, above the
@@ -51,13 +51,13 @@ struct ActiveSetOptions {
 /// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays so while its load, as the last
 /// iteration predicts it, is compressive; a node out of contact enters where it overlaps.
 ///
-/// Where the laws bear tension a node is in contact as long as it faces the other surface.
+/// A node in contact stays so as long as it faces the other surface, if the laws bear tension.
 ///
-/// With friction a node in contact sticks until its trial friction exceeds the bound, and slides until it falls below.
+/// A node in contact with friction sticks until its trial friction exceeds the bound, and slides until it falls below.
 /// It begins to stick or slide as it ended the step before; where it was not in contact, as its own trial says. The
 /// bound holds on to being zero or not, too: where t_n is linear in the unknowns, so is T_max, also below zero, which
-/// the overlap that is measured at the start of an iteration can make of it and a large penalty. What decides is what
-/// the iteration predicts.
+/// the overlap that is measured at the start of an iteration can make of it and a large penalty. The prediction of the
+/// iteration decides.
 ///
 /// A node that closes within iterations begins as one does where iterations begin. A node that sticks and is pulled
 /// slides before it opens: what pulls it may be what holds it.
@@ -69,8 +69,8 @@ struct ActiveSetOptions {
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
 /// then on. Iterations far from a solution may change nodes as often: at a solution those at the edge are tried once
-/// more, unless they have cycled alone. Where nodes keep changing together, closed pulled and open overlapping, the
-/// first alone of those that cycle changes in each iteration. Each node changes a bounded number of times with others;
+/// more, unless they have cycled alone. Nodes may keep changing together, closed pulled and open overlapping: the first
+/// alone of those that cycle then changes in each iteration. Each node changes a bounded number of times with others;
 /// from then on the rule is the least index rule (Murty 1974, Opsearch 11:123-130), which ends where each load grows
 /// with its own gap however the others are held: a P matrix.
 class ActiveSet {
@@ -86,8 +86,8 @@ class ActiveSet {
 
   /// Status where no iteration has begun: what the true gaps say.
   NodeFlags initial(const NodalGaps& now) const;
-  /// Whether solutions with the matrix may tell what nodes will do. Not with fields, whose exchange may push a node
-  /// open that would close, or the other way round: either may be an equilibrium. Not where a surface may meet itself:
+  /// Whether solutions with the matrix may predict the status of nodes. Fields rule it out: exchange may push a node
+  /// open that would close, or the other way round, and either may be an equilibrium. Self-contact rules it out:
   /// a fold has other facets to face at the end of an iteration. And nodes that may pull do not open.
   bool may_predict() const;
   /// Status that the loads which an iteration predicts ask for, given the true gaps. `doubt`: what predicted tractions
@@ -95,8 +95,8 @@ class ActiveSet {
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
   /// Nodes that began an iteration in contact and open within it, given what their tractions come to should they stay
   /// [MPa]; NaN where that is unknown, and for nodes out of contact: these do not. `opened`: those that were taken to
-  /// be open in finding them. Not those whose status keeps changing: at the edge of contact it is the next iteration
-  /// that tells.
+  /// be open in finding them. Nodes whose status keeps changing stay out: they are at the edge of contact, and the next
+  /// iteration decides.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
   /// Status at another state within a step, to which loads of the last one hold on: nodes that face nothing open, and
   /// those that overlap close.
@@ -110,8 +110,8 @@ class ActiveSet {
 
   /// Whether a solution has nodes at the edge of contact that have to be tried once more: they were put there for how
   /// often they had changed while other nodes changed for the first time. All changes are forgotten, so that the next
-  /// iteration has them flux-coupled. Not nodes that changed most_status_changes times after the last first change of
-  /// any node, nor those that were at the edge in the last accepted step, and once at most from where iterations begin.
+  /// iteration has them flux-coupled. Nodes stay out that changed most_status_changes times after the last first change
+  /// of any node, or that were at the edge in the last accepted step. Once at most from where iterations begin.
   bool reconsiders_edge(const NodalLoads& solution);
 
   /// Nodes in contact that slide where iterations begin.
@@ -121,7 +121,7 @@ class ActiveSet {
   /// Nodes that slide in the next iteration, at the loads `now`: those of updated_slip(), but where changes lead in
   /// cycles; nodes that come into contact there as their own trial says. Counts changes.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
-  /// What loads of the last iteration hold on to at another state within a step.
+  /// The slip of loads of the last iteration that stays at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
 
   /// Nodes in contact with a positive friction bound where iterations begin.
@@ -131,7 +131,7 @@ class ActiveSet {
   /// Nodes with a positive friction bound in the next iteration, at the loads `now`: those of updated_rubs(); nodes
   /// that come into contact there as their own loads have it.
   NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
-  /// What loads of the last iteration hold on to at another state within a step.
+  /// The positive bound of loads of the last iteration that stays at another state within a step.
   NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;
 
   std::size_t memory() const {

@@ -15,14 +15,14 @@ inline constexpr int max_scalar_fields = 64;
 inline bool contains(FieldMask mask, int field) { return (mask >> static_cast<unsigned>(field)) & 1U; }
 inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(field); }
 
-/// What friction is in proportion to.
+/// The load to which friction is in proportion.
 enum class FrictionKind : std::uint8_t {
   none,
   on_traction,   ///< the traction
   on_solid_part  ///< what of it the fluid, of both sides or of the one that has it, does not bear
 };
 
-/// What is exchanged between two surfaces. Scalar fields are counted solvent first (if exchanged),
+/// The effects that two surfaces exchange. Scalar fields are counted solvent first (if exchanged),
 /// then solutes.
 struct Effects {
   bool traction = true;      ///< the surfaces push on each other; false where none of their nodes can move: no unknown
@@ -41,7 +41,7 @@ struct Effects {
   bool reads_fluid() const { return friction_kind == FrictionKind::on_solid_part; }
   /// The scalar field that is the fluid pressure: the exchanged one, or one more that friction alone reads.
   int pressure_field() const { return solvent ? 0 : scalar_fields(); }
-  /// Number of scalar fields that nodes have: the exchanged ones, and what friction reads beside them.
+  /// Number of scalar fields that nodes have: the exchanged ones, and those that friction reads in addition.
   int nodal_fields() const { return scalar_fields() + (reads_fluid() && !solvent ? 1 : 0); }
 };
 

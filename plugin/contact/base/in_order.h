@@ -30,11 +30,11 @@ class OrderedResults {
         fill_(fill),
         use_(use) {}
 
-  /// For the one thread that uses results: makes some, too, while there are none to use.
+  /// The work of the one thread that uses results: it makes some, too, while there are none to use.
   void use_all(Workspace& own) {
     run([&] { return used_ < groups_; }, [&] { return use_next() || make_next(own); });
   }
-  /// For any other thread.
+  /// The work of any other thread.
   void make_all(Workspace& own) {
     run([&] { return next_ < groups_; }, [&] { return make_next(own); });
   }
@@ -51,7 +51,7 @@ class OrderedResults {
   static constexpr Index least_groups_per_thread = 16;
   static constexpr Index groups_per_thread = 4;
 
-  /// Calls `step`, which tells whether it found something to do, until nothing remains or a thread has failed.
+  /// Calls `step`, which returns whether it found something to do, until nothing remains or a thread has failed.
   template <class Remains, class Step>
   void run(const Remains& remains, const Step& step) {
     try {

@@ -20,7 +20,7 @@ Index count_of(const Container& entries) {
 using indexing::at;
 using indexing::number_of;
 
-/// A std::vector that any integer indexes, so that it stands beside matrices without a cast.
+/// A std::vector that any integer indexes, so that it is used with matrices without a cast.
 template <class T>
 class IndexedVector : public std::vector<T> {
  public:

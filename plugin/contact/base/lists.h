@@ -32,8 +32,8 @@ template <class T>
 class Lists {
  public:
   Lists() : first_(1, 0) {}
-  /// So many lists, filled in any order: for_each(add) calls add(list, entry) for all entries; it is called twice, and
-  /// does the same both times.
+  /// Lists, as many as given, filled in any order: for_each(add) calls add(list, entry) for all entries; it is called
+  /// twice, and does the same both times.
   template <class ForEach>
   Lists(Index count, const ForEach& for_each) : first_(count + 1, 0) {
     for_each([&](Index list, const T& /*entry*/) { ++first_[list + 1]; });

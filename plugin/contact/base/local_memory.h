@@ -1,4 +1,4 @@
-/// Memory of what lives for a short while.
+/// Memory for objects that live for a short while.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace mixture_contact {
 
-/// Memory for containers that live no longer than it: so many bytes on the stack, then the heap. What they give back is
+/// Memory for containers that live no longer than it: so many bytes on the stack, then the heap. Returned memory is
 /// not used again before it ends.
 template <std::size_t Bytes>
 class LocalMemory {

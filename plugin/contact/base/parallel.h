@@ -69,8 +69,8 @@ void one_by_one(Index count, const Make& make, const Use& use) {
 }
 
 /// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
-/// ascending order on the calling thread once many are made: `use` may share its own work among threads. Where it has
-/// little of its own, in_order() is faster.
+/// ascending order on the calling thread once many are made: `use` may share its own work among threads. in_order() is
+/// faster if it has little work of its own.
 template <class Make, class Use>
 void in_batches(Index count, const Make& make, const Use& use) {
   using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;

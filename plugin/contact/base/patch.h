@@ -50,7 +50,7 @@ struct Patch {
   }
 };
 
-/// A part of a tangent: the equations of one effect by what they depend on.
+/// A part of a tangent: the equations of one effect by the unknowns that they depend on.
 struct TangentBlock {
   Patch rows;       ///< traction: the displacements; a flux: its field
   Patch columns;    ///< traction: the displacements; a flux: displacements and its field
@@ -69,7 +69,7 @@ struct LoadBlock {
   LoadPlace place;
   Patch rows;          ///< as those of a TangentBlock
   VectorXd work;       ///< virtual work of a unit of the load, size rows.layout().size()
-  VectorXd variation;  ///< of what the load depends on, size place.columns.layout().size()
+  VectorXd variation;  ///< of the unknowns that the load depends on, size place.columns.layout().size()
   double factor = 0;   ///< load per unit of it
 
   TangentBlock product() const { return {rows, place.columns, (factor * work) * variation.transpose()}; }

@@ -15,7 +15,7 @@ enum class Enforcement {
   lagrange_multipliers   ///< multipliers are unknowns of the same Newton solve, with equations of their own
 };
 
-/// Where the integrals over the primary surface are sampled.
+/// The points at which the integrals over the primary surface are sampled.
 enum class Integration {
   gauss,    ///< at Gauss points of the primary facets: cheap; not exact where facets of both sides end at different
             ///< places
@@ -33,13 +33,13 @@ struct PenaltyRule {
   }
 };
 
-/// What a step after a failed one does with penalties of the traction.
+/// The penalties of the traction in a step after a failed one.
 struct ReducedPenalty {
   double divisor = 1;  ///< of the penalties [-]
   double kept = 1;     ///< part of the accepted loads, beyond those of the gaps, that the step begins with [-]
 };
 
-/// What a film lets pass of a solute.
+/// The flow of a solute that a film lets pass.
 struct SoluteFilm {
   double permeance = 0;   ///< P_k [mm/s]
   double reflection = 1;  ///< sigma_k: the part that the flow does not carry along, from 0 to 1 [-]
@@ -88,7 +88,7 @@ inline constexpr double two_pass_flux_factor = 1e3;
 /// within the search radius.
 inline constexpr double tension_traction_factor = 3e2;
 
-/// Default multiple of the stiffness that the tangential penalty is: what sticks gives way by 1/factor of the shear of
+/// Default multiple of the stiffness that the tangential penalty is: elastic slip is 1/factor of the shear of
 /// the adjoining elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find what
 /// sticks.
 inline constexpr double default_friction_factor = 1e2;

@@ -19,7 +19,7 @@ class PerSide : public std::array<T, 2> {
 
 inline Side other(Side side) { return side == Side::primary ? Side::secondary : Side::primary; }
 
-/// What is known of both surfaces as one pass sees them: of the surface it integrates over and of the one that faces
+/// The data of both surfaces as one pass sees them: of the surface it integrates over and of the one that faces
 /// it. It looks at what others own.
 template <class T>
 struct Facing {

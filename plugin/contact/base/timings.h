@@ -1,4 +1,4 @@
-/// Where the time of a contact goes: by task and by effect, from clocks around pairs of facets and around whole tasks.
+/// The time of a contact: by task and by effect, from clocks around pairs of facets and around whole tasks.
 #pragma once
 
 #include "base/patch.h"
@@ -11,7 +11,7 @@
 
 namespace mixture_contact {
 
-/// What a host asks a contact for.
+/// The tasks that a host gives a contact.
 enum class Task {
   search,        ///< which facets face each other, and where
   residual,      ///< the virtual work (2.5)
@@ -22,7 +22,7 @@ enum class Task {
 inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Task::stiffness, Task::augmentation,
                                                Task::output};
 
-/// Seconds, by what they are spent on.
+/// Seconds, by effect and task.
 struct TimingBreakdown {
   double shared = 0;    ///< what all effects need: search, geometry, status
   double traction = 0;  ///< the traction alone
@@ -32,7 +32,7 @@ struct TimingBreakdown {
 
   explicit TimingBreakdown(Index count = 0) : fields(VectorXd::Zero(count)) {}
   double total() const { return shared + traction + friction + fields.sum(); }
-  /// What the equations of a patch are about: one field, or else the traction; or what else a node's pressure acts on.
+  /// The time of the equations of a patch: one field, or else the traction; or the field a node's pressure acts on.
   double& of(const Patch& rows) {
     if (rows.fields.empty()) return traction;
     return rows.fields.front() < fields.size() ? fields[rows.fields.front()] : friction;
@@ -93,7 +93,7 @@ class EffectTimings {
     const std::scoped_lock lock(mutex_);
     spent_ += spent;
   }
-  /// What has been added since the last call.
+  /// The time that has been added since the last call.
   TimingBreakdown take() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(spent_, TimingBreakdown(spent_.fields.size()));
@@ -104,8 +104,8 @@ class EffectTimings {
   TimingBreakdown spent_;
 };
 
-/// For how many things of a kind the time of one of them, given by its number, stands: fewer than `most` are all timed,
-/// of more at least half as many, whatever their count. 0: another one stands for it.
+/// The number of things of a kind for which the timed one, given by its number, counts. All of fewer than `most` are
+/// timed, of more at least half as many, whatever their count. 0: another one counts for it.
 inline Index stands_for(Index number, Index count) {
   constexpr Index most = 256;
   const Index each = 1 + count / most;
@@ -154,7 +154,7 @@ class ScopedTimer {
   std::optional<Running> running_;
 };
 
-/// Timings a task from construction to destruction. What has not been charged meanwhile, to an effect or by another
+/// Timings a task from construction to destruction. Time not charged meanwhile, to an effect or by another
 /// clock of the same task, is shared.
 class TaskClock {
  public:

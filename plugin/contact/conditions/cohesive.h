@@ -28,7 +28,7 @@ struct Cohesive {
 using BondGradient = Eigen::Matrix<double, 6, 1>;
 using BondHessian = Eigen::Matrix<double, 6, 6>;
 
-/// What a bond bears, and what it has come to.
+/// The loads of a bond, and its damage.
 struct BondLoad {
   BondGradient value;      ///< d psi/dD, the traction on the primary surface [MPa], and d psi/dn [N/mm]
   BondHessian derivative;  ///< of these loads; symmetric unless damage grows in a mode that changes
@@ -38,8 +38,8 @@ struct BondLoad {
 /// The load of a bond. `damage`: d of the accepted state; `normal`: of unit length.
 BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
 
-/// The derivative of the loads of a bond that yields: as if its traction stayed as the bond opens. Where damage grows,
-/// the energy is concave in the opening, so that its tangent plane is above it: iterations with this derivative go
+/// The derivative of the loads of a bond that yields: as if its traction stayed as the bond opens. The energy of a bond
+/// whose damage grows is concave in the opening, and its tangent plane is above it: iterations with this derivative go
 /// down.
 BondHessian yielding_derivative(double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
 

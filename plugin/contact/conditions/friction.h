@@ -15,7 +15,7 @@ struct FrictionBound {
 };
 
 /// T_max = mu <-t_n - (1 - phi) (p~ - p*)>, with the normal traction t_n < 0 in compression and what the pressure of
-/// the fluid exceeds the ambient one by [MPa]. mu is what is measured when the fluid pressure has subsided. No
+/// the fluid exceeds the ambient one by [MPa]. mu is the coefficient after the fluid pressure has subsided. No
 /// quotient: at first touch, where t_n and p~ - p* tend to 0 together, so does the bound.
 FrictionBound friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
@@ -46,7 +46,7 @@ FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& refer
 /// the node sticks, also where it would now slide the other way.
 double slip_excess(const Vector3d& trial, double bound, const Vector3d& reference);
 
-/// What slip dissipates per area: T_max times the part of the slip that is not the compliance of the penalty,
+/// The dissipation of slip per area: T_max times the part of the slip that is not the compliance of the penalty,
 /// (|tau| - T_max)/eps; never negative in slip, 0 in stick [mJ/mm^2].
 double dissipated(const Vector3d& trial, double bound, double penalty);
 

@@ -60,7 +60,7 @@ class SoluteMembrane final : public ScalarCondition {
   const SolventMembrane* solvent_;
 };
 
-/// What diffuses through a film against a flow, over the permeance: P B(s/P) [mm/s] and its derivative with s. P B(0)
+/// Diffusion through a film against a flow, over the permeance: P B(s/P) [mm/s] and its derivative with s. P B(0)
 /// is P; without permeance max(0, -s) is left.
 LawValue against_flow(double permeance, double flow);
 

@@ -24,7 +24,7 @@ struct Multipliers {
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
 };
 
-/// A node's trial traction with what its variation needs.
+/// A node's trial traction with the factors of its variation.
 struct FrictionTrial {
   Vector3d normal;   ///< n_a
   Vector3d past;     ///< lambda_T - eps_T s_a, as the surfaces lay when the step began
@@ -42,7 +42,7 @@ FrictionTraction friction_law(const NodalLoads& loads, Index node);
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
 inline constexpr double rounding_fraction = 1e-13;
 
-/// Where a step begins, tractions may have changed since the last one was accepted by twice what that was accepted with
+/// A step may begin with tractions that have changed since the last one was accepted by twice the change then accepted
 /// (see ActiveSetOptions::solution_load), as a part of the largest one.
 inline constexpr double accepted_margin = 2e-2;
 
@@ -67,7 +67,7 @@ class NodalLaws {
 
   /// The condition of a field.
   const ScalarCondition& scalar(Index field) const { return *scalars_[field]; }
-  /// What enforces it at a node.
+  /// The law or multiplier that enforces it at a node.
   Enforcing enforcing(Index field, Index node) const {
     return {multipliers.flux(field, node), flux_penalty(field, node)};
   }
@@ -100,7 +100,7 @@ class NodalLaws {
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
-  /// The bound without <>: what tells whether a node rubs.
+  /// The bound without <>: its sign decides whether a node has a positive friction bound.
   double rubbing(const NodalLoads& loads, Index node) const;
   /// Sets bound and friction of the nodes in contact as their status has it.
   void load_friction(NodalLoads& loads) const;
@@ -114,12 +114,12 @@ class NodalLaws {
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
   /// Takes the present friction and status over.
   void take_friction(const NodalLoads& loads);
-  /// Where a step begins: tractions for the geometric part of the tangent, none larger than in the equilibrium that the
-  /// last one ended with. More is what a large penalty makes of an overlap that is in no equilibrium: of meshes at the
+  /// The start of a step: tractions for the geometric part of the tangent, none larger than in the equilibrium that the
+  /// last one ended with. A larger one comes from a large penalty and an overlap in no equilibrium: of meshes at the
   /// start, or where averages are taken over other facets than before.
   VectorXd within_accepted(const VectorXd& traction, double surface_size) const;
 
-  /// What a large penalty makes of the rounding of gaps [MPa].
+  /// The traction that a large penalty makes of the rounding of gaps [MPa].
   double traction_rounding(double surface_size) const;
   /// Per field; values and jumps below this are rounding: of the field itself and, as the solvent's pressure comes from
   /// the motion of the solid, of the stress that rounding of positions makes of the stiffness.
@@ -148,7 +148,7 @@ class NodalLaws {
   IndexedVector<std::unique_ptr<ScalarCondition>> scalars_;  ///< per field
 };
 
-/// Where a step begins: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
+/// Begins a step: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
 /// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be a
 /// wrong stiffness of that size.
 void drop_new_fluxes(const Multipliers& multipliers, MatrixXd& flux);

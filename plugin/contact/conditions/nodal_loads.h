@@ -1,4 +1,4 @@
-/// What the laws say at the nodes of the surface that a pass integrates over.
+/// The loads that the laws give at the nodes of the surface that a pass integrates over.
 #pragma once
 
 #include "base/indexed_vector.h"
@@ -26,7 +26,7 @@ struct ContactStatus {
   NodeFlags rubs = {};  // NOLINT(readability-redundant-member-init)
 };
 
-/// What is decided of friction at the nodes: ContactStatus::slips and ContactStatus::rubs.
+/// The decisions about friction at the nodes: ContactStatus::slips and ContactStatus::rubs.
 struct FrictionStatus {
   NodeFlags slips;
   NodeFlags rubs;
@@ -57,7 +57,7 @@ struct NodalFriction {
   Vector3d normal(Index node) const { return area_vector.col(node).normalized(); }
 };
 
-/// What the laws (2.7)-(2.9) say at the nodes of the primary surface, from averages around each node: g_a and, alike,
+/// The loads by the laws (2.7)-(2.9) at nodes of the primary surface, from averages around each node: g_a and, alike,
 /// jumps and slips. Traction and fluxes between nodes are interpolated with psi_a.
 ///
 /// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once.
@@ -77,8 +77,8 @@ struct NodalLoads : NodalGaps, ContactStatus {
   bool exchanges(Index field, Index node) const { return flux_coupled[node] && flux_area(field, node) > 0; }
 };
 
-/// What of tractions and fluxes acts in `to` and not in `from`, at all nodes that are in contact in one of them: what
-/// the virtual work (2.5), linear in both, has of the change.
+/// The tractions and fluxes that act in `to` and not in `from`, at all nodes in contact in one of them: the part
+/// of the change in the virtual work (2.5), which is linear in both.
 NodalLoads change(const NodalLoads& from, const NodalLoads& to);
 
 }  // namespace mixture_contact

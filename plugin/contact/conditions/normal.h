@@ -1,5 +1,5 @@
 /// Conditions between the normal traction and the gap: eq (2.7) of Ateshian, Maas and Weiss (2012), and its counterpart
-/// for surfaces that may pull. The only place that tells the two apart.
+/// for surfaces that may pull. The only place that distinguishes the two.
 #pragma once
 
 #include "base/settings.h"
@@ -36,7 +36,7 @@ class NormalCondition {
   /// Whether surfaces that face each other may part.
   virtual bool may_part() const = 0;
 
-  /// What a node in contact leaves unmet of the condition [mm].
+  /// The residual of the condition at a node in contact [mm].
   virtual double residual_gap(double gap, double traction) const = 0;
   /// Default multiple of the local stiffness. `both_ways`: each side has conditions of its own.
   virtual double penalty_factor(bool both_ways) const = 0;

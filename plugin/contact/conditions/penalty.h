@@ -12,10 +12,10 @@ struct Penalties {
   MatrixXd flux;         ///< eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
   VectorXd stiffness;    ///< stiffness of the adjoining elements per facet (between rigid bodies: the penalty) [N/mm^3]
   MatrixXd conductance;  ///< conductance of the adjoining elements per (field, facet), units of flux; of the solvent at
-                         ///< least a part of what they store in a time step (see storage_part)
+                         ///< least a part of the flux that fills their storage in a time step (see storage_part)
 };
 
-/// In a time step dt an element of stiffness E/h takes up solvent like a conductance of h/(E dt) [mm^3/(N s)]: in steps
+/// An element of stiffness E/h takes up solvent in a time step dt like a conductance of h/(E dt) [mm^3/(N s)]: in steps
 /// far below the time in which it drains, fluxes are that large, and a jump over a penalty that knows of flow alone is
 /// a large part of the pressure. This part of it, times the default factor, leaves a jump of a thousandth, as the
 /// default leaves of the traction's.

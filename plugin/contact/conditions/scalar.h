@@ -7,7 +7,7 @@
 
 namespace mixture_contact {
 
-/// What enforces a condition that is no law of the scene.
+/// The enforcement of a condition that is no law of the scene.
 struct Enforcing {
   double multiplier = 0;  ///< lambda
   double penalty = 0;     ///< eps

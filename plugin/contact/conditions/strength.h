@@ -9,7 +9,7 @@
 
 namespace mixture_contact {
 
-/// What depends on the mode, given its values in tension and in shear.
+/// A quantity that depends on the mode, given its values in tension and in shear.
 struct ByMode {
   double normal = 0;
   double shear = 0;

@@ -9,7 +9,7 @@ namespace mixture_contact {
 /// Gaps and jumps of the nodes in contact, given the loads at a state.
 ///
 /// The relative measure is free of units: rms(eps0 gap)/rms(load), with eps0 the stiffness or conductance of the
-/// adjoining elements. Where no load flows, the jump is compared with the field's own size instead, so 0/0 never
+/// adjoining elements. The jump is compared with the field's own size instead if no load flows, so 0/0 never
 /// arises; and a jump within NodalLaws::field_rounding() is none, so that a pressure that nothing drives is
 /// converged.
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields);

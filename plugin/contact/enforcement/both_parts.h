@@ -9,8 +9,8 @@ namespace mixture_contact {
 NodalLoads geometric_loads(const LinearisationPoint& point);
 
 /// Linearises at a point, whose averages and loads are those of the present points: sets its nodes, and returns the
-/// geometric part. What a past linearisation has around nodes where nothing has changed by more than a part `same` is
-/// taken over (see changed_nodes()). `memory`: parts of pairs that are held no more, whose memory serves those to come.
+/// geometric part. A past linearisation is taken over around nodes where nothing has changed by more than a part `same`
+/// (see changed_nodes()). `memory`: parts of pairs that are held no more, whose memory serves those to come.
 GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace& space, const FacingFields& fields,
                                    std::optional<PastLinearisation> past = std::nullopt, double same = 0,
                                    GeometricParts memory = {});

@@ -1,4 +1,4 @@
-/// How a pass evaluates the integral (2.5), by what the nodes of its surfaces can do.
+/// The ways in which a pass evaluates the integral (2.5), by the motion of the nodes of its surfaces.
 #pragma once
 
 #include "active_set/active_set.h"
@@ -36,7 +36,7 @@ class ContactGeometry {
   /// Takes over a projection.
   virtual void update(const FacingPositions& x) = 0;
 
-  /// What ContactPass documents under the same names.
+  /// The functions that ContactPass documents under the same names.
   virtual bool begin_iteration(const FacingFields& fields) = 0;
   virtual void hold_loads(const FacingFields& fields) = 0;
   virtual void relinearise(const FacingFields& fields) = 0;
@@ -70,11 +70,11 @@ void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
 inline bool takes_loads(const EnforcementMethod& method, const Couplings& use) {
   return use.load && method.has_load_blocks();
 }
-/// Calls `use` with what the loads at a node couple, given the patch around it.
+/// Calls `use` with the couplings of the loads at a node, given the patch around it.
 void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
               const Couplings& use);
 
-/// Calls `use` with what each effect of a patch couples.
+/// Calls `use` with the couplings of each effect of a patch.
 void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use);
 
 }  // namespace mixture_contact

@@ -44,7 +44,7 @@ class EnforcementMethod {
   virtual bool predicts() const = 0;
   /// Weights of the equations that the method adds at nodes, of the size of their fields' residual.
   virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
-  /// Calls `use` with what couples with each other where loads act at the nodes of a patch, as their averages vary.
+  /// Calls `use` with the couplings of the loads at the nodes of a patch, as their averages vary.
   virtual void for_each_coupling(const Patch& patch, const UsePatch& use) const = 0;
   /// Whether tangents consist of load blocks alone.
   virtual bool has_load_blocks() const = 0;
@@ -54,7 +54,7 @@ class EnforcementMethod {
   /// the variation of the works is the geometric part.
   virtual NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                    const VectorXd& weights, double dt) const = 0;
-  /// What the law of a field's flux depends on, given the patch around a node: fields in the order of the columns, its
+  /// The unknowns of the law of a field's flux, given the patch around a node: fields in the order of the columns, its
   /// own first; its own alone in a symmetric tangent.
   Patch flux_columns(const Patch& patch, int field) const;
 
@@ -74,10 +74,10 @@ class EnforcementMethod {
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws);
 
-/// A block of tractions by displacements; its symmetric part where that is asked for.
+/// A block of tractions by displacements; its symmetric part if the tangent is symmetric.
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values);
 /// Completes a block of tractions by displacements that has its values, and its patch as `rows`: sets the columns,
-/// leaves displacements alone as unknowns, and takes the symmetric part of the values where that is asked for.
+/// leaves displacements alone as unknowns, and takes the symmetric part of the values if the tangent is symmetric.
 void set_traction_block(const MortarSpace& space, TangentBlock& block);
 
 }  // namespace mixture_contact

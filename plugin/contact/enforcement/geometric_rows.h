@@ -1,4 +1,4 @@
-/// The geometric part of the tangent by nodes: the sum of what the pairs of facets around a node have. Much of it
+/// The geometric part of the tangent by nodes: the sum over the pairs of facets around a node. Much of it
 /// cancels: a facet that is cut otherwise carries the same load, so that the forces at its nodes do not depend on those
 /// it faces.
 #pragma once
@@ -14,7 +14,7 @@ inline constexpr double weak_coupling = 1e-5;
 /// Blocks of one effect, each with the rows of one node, by the displacements of the nodes that they depend on.
 using NodeRows = IndexedVector<TangentBlock>;
 
-/// The rows of tractions, given how many nodes the surfaces have, but for couplings that are weak. `held`: rows that
+/// The rows of tractions, given how many nodes the surfaces have, without couplings that are weak. `held`: rows that
 /// are known, of nodes whose pairs are as they were.
 NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak = weak_coupling,
                        NodeRows held = {});

@@ -8,7 +8,7 @@
 
 namespace mixture_contact {
 
-/// What a host can do with its matrix beside solving with it.
+/// The uses that a host has for its matrix in addition to solving with it.
 struct HostMatrix {
   bool has_loads = false;    ///< loads at nodes are its unknowns, but those on rigid bodies: nodes can be released, and
                              ///< others added
@@ -16,7 +16,7 @@ struct HostMatrix {
   NodeFlags rigid_opposite;  ///< the same on the surface that faces the one integrated over
 };
 
-/// What becomes of the loads with the linearisation that a geometry holds: as an iteration begins with it, and as it is
+/// The loads with the linearisation that a geometry holds: as an iteration begins with it, and as it is
 /// corrected for another one.
 class HeldLinearisation {
  public:
@@ -25,7 +25,7 @@ class HeldLinearisation {
                     const EnforcementMethod& method)
       : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
 
-  // What the geometry tells
+  // The data that the geometry passes on
   /// There is another one; keeps a reference. `begins`: of an iteration that none is known before.
   void replaced(LinearisationPoint& point, bool begins);
   /// There is none any more.
@@ -57,7 +57,7 @@ class HeldLinearisation {
   void add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const;
 
   // Decisions on the nodes that an iteration begins in contact with, by solutions with the host's matrix
-  /// Whether the matrix may change their status. Not where iterations begin with nodes that are foreseen: more change
+  /// Whether the matrix may change their status. It may not if an iteration begins with foreseen nodes: more change
   /// in the next one all the same, and each that changes costs a back substitution.
   bool may_decide() const;
   /// Linearises nodes out of contact that overlap once the surfaces have moved by these displacements (see
@@ -73,15 +73,15 @@ class HeldLinearisation {
   /// ActiveSet::opening()). `opened`: nodes that were taken to be open in finding these tractions; they are returned
   /// where the matrix may not change the status of so many nodes.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
-  /// Opens these nodes and closes all others that are nearing: what that makes of the loads at this state is what
-  /// changes as the iteration begins.
+  /// Opens these nodes and closes all others that are nearing. The change of the loads at this state that follows is
+  /// the change as the iteration begins.
   void open(const NodeFlags& nodes, const FacingFields& fields);
 
   /// Adds what the loads that have changed as the iteration began make of the residual. Returns false, and what has
   /// been added is of no use, where they do not act at the points of those before it.
   ///
   /// Loads of a correction act by the works that the tangent has: works of the present state would turn what a large
-  /// penalty makes of a gap away from what the matrix answers with.
+  /// penalty makes of a gap away from the answer of the matrix.
   bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const;
 
  private:
@@ -96,7 +96,7 @@ class HeldLinearisation {
   void residual_of(const AtPoints& change, const FacingFields& fields, double dt, const AddVector& add) const;
   /// Loads of the true averages.
   NodalLoads true_loads(const FacingFields& fields, ContactStatus status) const;
-  /// What the tractions of a correction may be off by: it closes what is left of a gap against the stiffness of the
+  /// The error that the tractions of a correction may have: it closes the rest of a gap against the stiffness of the
   /// adjoining elements, however large a load the penalty makes of that.
   double doubt(const NodalLoads& predicted, const NodalLoads& now) const;
   /// Whether this status is another one by nodes that may be released or added, and not by more than `most`.

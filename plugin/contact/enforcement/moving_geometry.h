@@ -38,7 +38,7 @@ class MovingGeometry : public ContactGeometry {
  private:
   /// Decides about friction from the loads at a state.
   using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
-  /// What an iteration holds but for its linearisation and the loads of the geometric part.
+  /// The state of an iteration without its linearisation and the loads of the geometric part.
   LinearisationPoint evaluated_at(const FacingFields& fields, NodalLoads averages, const DecideFriction& decide,
                                   const NodalLoads* predicted) const;
   /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.

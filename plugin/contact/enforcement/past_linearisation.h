@@ -8,7 +8,7 @@
 
 namespace mixture_contact {
 
-/// By what part, at most, something may have changed that a linearisation still serves: motions as a part of the
+/// The largest part by which something may have changed that a linearisation still serves: motions as a part of the
 /// shortest edge of a facet, values of fields of their range, loads of the largest one.
 ///
 /// An iteration with a tangent that is off by delta misses a gap by delta of its increment; the penalty eps makes a
@@ -17,7 +17,7 @@ namespace mixture_contact {
 /// The sizes are choices.
 double same_to_linearisation(const NodalLaws& laws);
 
-/// What a linearisation was made of.
+/// The source of a linearisation.
 struct LinearisationSource {
   IndexedVector<std::array<Index, 3>> pairs;  ///< primary facet, secondary facet, number of points
   IndexedVector<int> sub_facets;              ///< that the points lie on, pair by pair
@@ -30,8 +30,8 @@ struct LinearisationSource {
 
   /// The source of a linearisation that is made at a point, with averages and loads at the present integration points.
   LinearisationSource(const LinearisationPoint& point, const MortarSpace& space);
-  /// What is made of another one replaces it at some nodes. The state stays the older one, from which differences are
-  /// measured, so that many small ones add up.
+  /// A linearisation made of another one replaces it at some nodes. The state stays the older one: differences are
+  /// measured from it, so that many small ones add up.
   void replace_at(const NodeFlags& nodes, const LinearisationSource& by);
 };
 
@@ -68,7 +68,7 @@ class LastLinearisation {
   std::optional<LinearisationPoint> point_;
 };
 
-/// The nodes around which something has changed by more than a part `same` from what a linearisation was made of to a
+/// The nodes around which something has changed by more than a part `same` from the source of a linearisation to a
 /// point: status, loads, weights, or at all of them the state or the points. With friction it has at all, since slips
 /// are measured from where each step begins.
 NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,

@@ -25,7 +25,7 @@ struct EffectTangent {
 using TractionTangent = EffectTangent<FlatForces>;
 using FluxTangent = EffectTangent<FlatFlows>;
 
-/// With their values.
+/// Blocks with their values.
 TangentBlock with_values(const TractionTangent& tangent);
 TangentBlock with_values(const FluxTangent& tangent);
 

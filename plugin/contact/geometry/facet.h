@@ -70,7 +70,7 @@ struct SubFacet {
 };
 
 /// The linear pieces between neighbouring nodes that a facet is made of: a linear facet itself; four quadrilaterals;
-/// four triangles, or six around the middle node. In parametric coordinates they are parallelograms or triangles.
+/// four triangles, or six around the middle node. They are parallelograms or triangles in parametric coordinates.
 const std::vector<SubFacet>& sub_facets(FacetType type);
 
 /// The nodes around a facet, those amid its edges between its corners, in the order of its corners.
@@ -87,13 +87,13 @@ int sub_facet_at(FacetType type, const Vector2d& xi);
 /// beyond it.
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
 
-/// In which parts the nodes that count take the function of a node that does not, shape (n): those beside it that do
+/// The parts in which the nodes that count take the function of a node that does not, shape (n): its neighbours that do
 /// in equal parts, or where there are none all that do; a node that counts takes its own. `counts`: 1 for nodes that
 /// count, 0 for the others, shape (n).
 FacetVector heirs_of(FacetType type, int node, const FacetVector& counts);
 
 /// Functions psi_a redistributed among the nodes of their facet that count, at least one: each of the others gives its
-/// own, in equal parts, to those beside it that count, or where there are none to all that do. They add up to 1 as
+/// own, in equal parts, to its neighbours that count, or if there are none to all that do. They add up to 1 as
 /// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
 /// (n).
 ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);

@@ -1,7 +1,7 @@
 /// Two flat triangles that face each other over points that count as fixed, by moments of the points.
 ///
-/// Slopes, normal and area element are the same at all points of the pair. So what the points are summed for with the
-/// weights w psi_c, for a node c of the primary triangle, depends on them through sum w psi_c N1 and sum w psi_c N2
+/// Slopes, normal and area element are the same at all points of the pair. The sums over the points with the
+/// weights w psi_c, for a node c of the primary triangle, depend on them through sum w psi_c N1 and sum w psi_c N2
 /// alone: gap, projected place and forces at the nodes are linear in N1 and N2.
 #pragma once
 
@@ -29,7 +29,7 @@ using FlatVariation = Eigen::Matrix<double, 18, 1>;
 /// Three rows and three columns per node, likewise.
 using FlatTangent = Eigen::Matrix<double, 18, 18>;
 
-/// Where the triangles are: what the gaps, forces and areas of the pair come from.
+/// The positions of the triangles: the source of the gaps, forces and areas of the pair.
 struct FlatPair {
   FlatMoments moments;
   Vector3d gap{0, 0, 0};          ///< per node c: sum w psi_c g
@@ -47,7 +47,7 @@ struct FlatPair {
 
 FlatPair flat_pair(const FlatMoments& moments, const TriangleCoordinates& x1, const TriangleCoordinates& x2);
 
-/// First variations of what all points have in common, with the positions x_b of the nodes.
+/// First variations that all points have in common, with the positions x_b of the nodes.
 struct FlatVariations {
   Eigen::Matrix3d area_vector;         ///< columns w_b: da = sum_b w_b x dx_b
   Eigen::Matrix3d area;                ///< columns m_b: d|a| = sum_b m_b.dx_b
@@ -93,7 +93,7 @@ struct FlatSums {
   Vector3d with_secondary(Index b, Index c) const { return -secondary[c] * with_place.col(b); }
 };
 
-/// What the derivative of these flows with the positions, the fluxes held, is made of: S1_b |a| at a primary node and
+/// The terms of the derivative of these flows with the positions, the fluxes held: S1_b |a| at a primary node and
 /// -S2_b |a| at a secondary one.
 struct FlatFlows {
   FlatSums fluxes;
@@ -113,7 +113,7 @@ Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node);
 /// All rows, one per node.
 Eigen::Matrix<double, 6, 18> flux_tangent(const FlatFlows& flows);
 
-/// What the derivative of these forces, (2.6), the tractions held, is made of: S1_b a at a primary node and -S2_b a at
+/// The terms of the derivative of these forces, (2.6), the tractions held: S1_b a at a primary node and -S2_b a at
 /// a secondary one.
 struct FlatForces {
   FlatSums tractions;

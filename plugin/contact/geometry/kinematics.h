@@ -58,13 +58,13 @@ Eigen::Matrix<double, 3, 2> area_vector_slope(const Eigen::Matrix<double, 3, 2>&
 /// First variations of a point's kinematics with the nodal positions of both facets (three columns per node).
 struct KinematicVariations {
   PairVariation<1> gap;          ///< dg
-  PairVariation<2> eta;          ///< d eta_beta: how the projected point wanders over the secondary facet
+  PairVariation<2> eta;          ///< d eta_beta: how the projected point moves over the secondary facet
   PairVariation<3> area_vector;  ///< da
   PairVariation<1> area;         ///< d|a|
-  PairVariation<2> xi;           ///< d xi_alpha: how the point wanders over the primary facet; empty where it does not
+  PairVariation<2> xi;           ///< d xi_alpha: how the point moves over the primary facet; empty where it does not
   PairVariation<1> weight;       ///< d(weight)/weight; empty likewise
 
-  /// Whether the point wanders over the primary facet.
+  /// Whether the point moves over the primary facet.
   bool wanders() const { return weight.size() > 0; }
 };
 

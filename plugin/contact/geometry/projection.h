@@ -7,7 +7,7 @@
 
 namespace mixture_contact {
 
-/// Where a ray meets a facet: x2(eta) = origin + gap * direction.
+/// The point in which a ray meets a facet: x2(eta) = origin + gap * direction.
 struct RayHit {
   Vector2d eta;  ///< parametric coordinates on the facet
   double gap;    ///< signed length along the direction [length]

@@ -11,7 +11,7 @@
 
 namespace mixture_contact {
 
-/// What does not change in a run: facets, and the properties of the material behind each.
+/// The part of a surface that a run does not change: facets, and the properties of the material behind each.
 struct SurfaceMesh {
   int nodes = 0;
   IndexedVector<Facet> facets;
@@ -19,7 +19,7 @@ struct SurfaceMesh {
   VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
   MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where impermeable
 
-  // Where a body may meet itself, since both surfaces have facets in common, nodes have numbers; else none has.
+  // Nodes have numbers if a body may meet itself, since both surfaces have facets in common; else none has.
   IndexedVector<int> node_ids;  ///< per node: its number in the host's mesh, the same for both surfaces
   VectorXd thickness;           ///< per facet: of the element behind it [mm]; empty: not known
 

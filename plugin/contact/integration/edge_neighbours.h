@@ -1,4 +1,4 @@
-/// What lies across the edges of the facets of a surface.
+/// The neighbours across the edges of the facets of a surface.
 #pragma once
 
 #include "geometry/surface.h"

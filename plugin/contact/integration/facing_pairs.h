@@ -27,8 +27,8 @@ class FacingPairs {
   void search(const FacingPositions& x, const Reach& reach);
   /// Finds the points at new positions without a search: they keep to the facets that the last search() found for them.
   void project_on_same_facets(const FacingPositions& x);
-  /// Begins and ends the iterations of the points (see PointFinder). Where a search would now find others, an iteration
-  /// that begins makes one, and returns so.
+  /// Begins and ends the iterations of the points (see PointFinder). An iteration that begins makes a search if that
+  /// would now find others, and returns so.
   bool begin_iteration(const FacingPositions& x);
   void end_iterations() { has_kept_ = finder_->end_iterations() || has_kept_; }
   /// Lets only facets with one of these nodes take part, from the next search on.
@@ -76,7 +76,7 @@ class FacingPairs {
   const PointKinematics& kinematics(const FacetPair& pair, Index point) const {
     return kinematics_[first_kept_[number_of(pair, pairs())] + point];
   }
-  /// An unbroken pair, where it was found; null of any other, and with friction, which points tell alone.
+  /// A fully covered pair, where it was found; null of any other, and with friction, which takes points alone.
   const FlatPair* flat(const FacetPair& pair) const {
     return has_moments(pair) ? &flat_[number_of(pair, pairs())] : nullptr;
   }
@@ -116,7 +116,7 @@ Patch patch_of(const FacingPairs& facing, const FacetPair& pair);
 /// Points of all pairs.
 Index point_count(const FacingPairs& facing);
 
-/// For how many pairs one of them stands where it is timed.
+/// The number of pairs for which one of them stands where it is timed.
 inline Index stands_for(const FacingPairs& facing, const FacetPair& pair) {
   return stands_for(number_of(pair, facing.pairs()), facing.pairs().count());
 }

@@ -2,11 +2,11 @@
 ///
 /// A gap along a normal n1 is the distance between the surfaces over c = -n1.n2. A side that turns away from contact at
 /// an edge and leans a little still faces the other body, at c near 0: its gaps are many times the distance, and
-/// averages around the nodes of the edge would be lost in them. So facets count for each other by a share that depends
-/// on c:
+/// averages around the nodes of the edge would be lost in them. Facets therefore count for each other by a share that
+/// depends on c:
 ///
-/// - All of it from c = 1/sqrt(3) on. In whatever way a body with right-angled corners stands on a plane, one of its
-///   faces has that at least; a cube on its corner has it on all three.
+/// - All of it from c = 1/sqrt(3) on. One face of a body with right-angled corners has that at least, however it
+///   rests on a plane; a cube on its corner has it on all three.
 /// - Nothing up to c = 1/2, where the side of an edge leans by 30 degrees, or 0.58 of its length: the sides of a soft
 ///   block that is pressed to half its height lean by 0.4.
 /// - In between the share grows smoothly, so that no lean switches anything on or off.

@@ -77,7 +77,7 @@ Eigen::RowVector2d by_corner(const Eigen::AutoDiffScalar<Variation>& number, Ind
   return number.derivatives().template segment<2>(2 * corner).transpose();
 }
 
-/// Corners in counter-clockwise order, in memory that is taken from where a polygon is told to.
+/// Corners in counter-clockwise order, in memory that the given resource provides.
 template <class Number>
 using Polygon = std::pmr::vector<Place<Number>>;
 

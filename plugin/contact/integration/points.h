@@ -1,4 +1,4 @@
-/// Where the integral over a surface is sampled: integration points, by the pair of facets that they lie on.
+/// The points at which the integral over a surface is sampled, by the pair of facets that they lie on.
 #pragma once
 
 #include "base/lists.h"
@@ -31,7 +31,7 @@ struct FacetPair {
   Index first = 0;   ///< of the points in between, among those of all pairs
   Index points = 0;  ///< how many there are
   /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface goes on across all
-  /// edges that they end at within the facet. What a pair gains as such an edge moves the next one loses: no sum over
+  /// edges that they end at within the facet. A pair gains, as such an edge moves, what the next one loses: no sum over
   /// the pairs depends on how their points move.
   bool unbroken = false;
 };
@@ -85,8 +85,8 @@ class PointFinder {
   PointFinder& operator=(PointFinder&&) = delete;
   virtual ~PointFinder() = default;
 
-  /// Pairs of facets that face each other within reach, in ascending order of the primary facets. Within an iteration
-  /// the result depends on the positions alone.
+  /// Pairs of facets that face each other within reach, in ascending order of the primary facets. The result depends on
+  /// the positions alone within an iteration.
   virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) = 0;
 
   /// Pairs at other positions without a search: points keep to the facets that the last search() found for them. The
@@ -105,11 +105,11 @@ class PointFinder {
   virtual bool moves_points() const = 0;
 
   /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order. Those of
-  /// unbroken pairs count as fixed.
+  /// fully covered pairs count as fixed.
   virtual void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
                                const Matrix3Xd& x2, const UseMotion& use) const = 0;
 
-  /// What it keeps [bytes].
+  /// Memory that it keeps [bytes].
   virtual std::size_t memory() const = 0;
 };
 
@@ -120,7 +120,7 @@ std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const Surf
 /// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. Its weight
 /// is that of the rule times the share that the facets have for each other (facing_share.h).
 ///
-/// What a point carries ends where it passes the edge of the other surface: it is a jump, and where a whole contact
+/// The load of a point ends where it passes the edge of the other surface: it is a jump, and where a whole contact
 /// hangs on one point there may be no equilibrium on either side of it. A point that loses its projection on the
 /// surface for the second time between iterations is at its edge: until they end it is kept on the facet that it was
 /// paired with last, continued beyond its edge.
@@ -160,13 +160,13 @@ class GaussPoints : public PointFinder {
     bool is_kept() const { return losses >= most_losses; }
   };
 
-  /// What a point is paired with.
+  /// The partner of a point.
   struct Partner {
     int facet;
     Vector2d eta;
     double share;  ///< of the facets for each other
   };
-  /// Pairs each point with what `partner_of` finds for it.
+  /// Pairs each point with the partner that `partner_of` finds for it.
   FacetPairs paired(const std::function<std::optional<Partner>(Index)>& partner_of);
   double share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
   Ray ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const;

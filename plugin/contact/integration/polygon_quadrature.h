@@ -1,8 +1,8 @@
 /// Quadrature on polygons in a plane, with the exact variations of its points where the polygons vary: convex ones; of
 /// orders 1 and 2 any whose edges do not cross.
 ///
-/// Whatever corners a polygon gains or loses, its integrals change smoothly with orders 1 and 2, and by what is beyond
-/// the degree of the rule with higher ones. Those of a mirrored polygon are mirrored.
+/// Integrals change smoothly with orders 1 and 2 as the polygon gains or loses corners, and with higher orders by the
+/// part beyond the degree of the rule. Integrals over a mirrored polygon are mirrored.
 #pragma once
 
 #include "geometry/facet.h"
@@ -20,7 +20,7 @@ struct PolygonPoint {
 template <class Number>
 using PolygonPoints = std::pmr::vector<PolygonPoint<Number>>;
 
-/// What the points are aligned with: a triangle (tri3) or quadrilateral (quad4) that the polygon is a part of.
+/// The triangle (tri3) or quadrilateral (quad4) that the points are aligned with: the polygon is a part of it.
 template <class Number>
 struct Alignment {
   FacetType type = FacetType::quad4;
@@ -36,8 +36,8 @@ Alignment<Number> alignment(const Polygon<Number>& polygon);
 ///
 /// Order 1: the centroid. Order 2: three (triangles) or four points on the ellipse of inertia, which fits times sqrt(2)
 /// within any convex figure (Kannan, Lovasz and Simonovits 1995, Discrete Comput Geom 13:541-559); exact for
-/// polynomials of the second degree, where the polygon is symmetric about its centroid of the third. Of a parallelogram
-/// aligned with its sides these are the 2 x 2 Gauss points, of a triangle those of its rule of order 2. From order 3:
+/// polynomials of the second degree, where the polygon is symmetric about its centroid of the third. These are the
+/// 2 x 2 Gauss points of a parallelogram aligned with its sides, and the points of order 2 of triangles. Higher orders:
 /// the rule of this order on a quadrilateral, or on the triangles around the centroid.
 template <class Number>
 PolygonPoints<Number> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned, int order);

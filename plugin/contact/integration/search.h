@@ -75,7 +75,7 @@ struct Ray {
 /// there.
 inline constexpr double widest_miss = 1;
 
-/// Where a ray meets a surface.
+/// The point in which a ray meets a surface.
 struct SurfaceHit {
   int facet;
   Vector2d eta;
@@ -99,8 +99,8 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept = {});
 
-/// The hit of nearest_facing() for the ray of a node. Where a surface ends at a plane of symmetry the normal at its
-/// edge, the mean over one side, is off by up to half the turn between two facets: a ray that hits nothing, and passes
+/// The hit of nearest_facing() for the ray of a node. The normal at the edge of a surface at a plane of symmetry, the
+/// mean over one side, is off by up to half the turn between two facets: a ray that hits nothing, and passes
 /// the edge of a facet by less than a fifth of the gap there (facets that turn by 23 degrees), meets it.
 std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                                    const Matrix3Xd& positions, Ray ray, const AcceptHit& accept = {});

@@ -19,7 +19,7 @@ namespace mixture_contact {
 struct Circle;
 
 /// Order of the rule on the pieces where the user gives none: 2 where the shape functions of both facets have no term
-/// beyond the second degree (tri3, tri6, quad4), else 3. With it a uniform load is exact on flat triangles and
+/// beyond the second degree (tri3, tri6, quad4), else 3. It makes a uniform load exact on flat triangles and
 /// parallelograms; psi times an affine gap with 4.
 int default_segment_order(FacetType primary, FacetType secondary);
 
@@ -28,7 +28,7 @@ int default_segment_order(FacetType primary, FacetType secondary);
 /// A secondary facet counts only where no other one, which is not its neighbour, lies nearer within its overlap with
 /// the primary facet. The weights of its points are multiplied by the share of both facets (facing_share.h).
 ///
-/// What facets see of each other ends with a jump: farther ahead than they look, or where a body comes between. Two
+/// The view of facets of each other ends with a jump: farther ahead than they look, or where a body comes between. Two
 /// facets that lose each other for the second time between iterations are at such an edge: until the iterations end
 /// they see each other.
 class Segments : public PointFinder {
@@ -59,7 +59,7 @@ class Segments : public PointFinder {
   static constexpr int most_losses = 2;
   /// The secondary facets that may face a primary one.
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const;
-  /// Whether two facets are at the edge of what they see of each other.
+  /// Whether two facets are at the edge of their view of each other.
   bool is_kept(const FacetPair& pair) const;
   /// Whether the facets of a pair see each other at one of its points.
   bool sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,

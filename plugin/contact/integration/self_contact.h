@@ -1,4 +1,4 @@
-/// What a facet sees where a body meets itself.
+/// The view of a facet where a body meets itself.
 #pragma once
 
 #include "geometry/surface.h"

@@ -5,14 +5,14 @@
 
 namespace mixture_contact {
 
-/// What the facets of two surfaces, each of a body of its own, hide from each other.
+/// The facets that two surfaces, each of a body of its own, hide from each other.
 ///
 /// Behind a point, through its own body, a facet that opposes it is one that overlaps with it, or the far side of a
-/// body that lies behind its own one or beside it: two layers on each other, of thickness T1 and T2, overlap by d at
+/// body that lies behind its own one or next to it: two layers on each other, of thickness T1 and T2, overlap by d at
 /// their near sides, and by T1 + T2 - d as their far sides see it; ends of a rod and a ring around it, which overlap a
-/// little sideways, by the smaller of T1 and T2 or more. So an overlap counts up to three quarters of what the thinner
-/// body measures there: from the point along -n1, and from what it meets along n1, to where facets of the surfaces turn
-/// their backs. Where none of them does no far side can be seen.
+/// little sideways, by the smaller of T1 and T2 or more. An overlap therefore counts up to three quarters of the
+/// thickness of the thinner body: from the point along -n1, and from the facet it meets along n1, to where facets turn
+/// their backs. No far side can be seen if none of them does.
 ///
 /// Ahead of a point, along n1, neither its own body begins before the facet that it meets, nor the other one ends.
 ///
@@ -50,7 +50,7 @@ class Visibility {
     double length;
   };
 
-  /// Where a way first meets a facet, but for one of them, whose normal is along it (`sense` 1) or against it (-1);
+  /// The way to the first facet, except one of them, whose normal is along it (`sense` 1) or against it (-1);
   /// infinite where it does not.
   static double first_met(const Screen& screen, const Way& way, double sense, int but);
   /// The deepest overlap that counts between a point and a facet that it meets.

@@ -18,7 +18,7 @@ struct NumberedState {
 /// The state that a contact with other nodes goes on with. Nodes that were there before keep their multipliers and
 /// loads, and the positions that their slips are measured from; others have what `fresh`, a contact that has just been
 /// made for the new nodes, begins with, and slips from their present `position`. Penetration-check nodes and load
-/// carriers are found anew. Where both exchange other fields nothing is kept.
+/// carriers are found again. Nothing is kept if both exchange other fields.
 ContactInterface::State carried_over(const NumberedState& before, NumberedState fresh,
                                      const PerSide<Matrix3Xd>& position);
 

@@ -1,4 +1,4 @@
-/// What a host asks of a contact that keeps its matrix for several iterations.
+/// The requests of a host that keeps its matrix for several iterations.
 #pragma once
 
 #include "interface/interface.h"
@@ -19,7 +19,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
                      const ContactInterface::AddResidual& add);
 
 /// A matrix has been formed of the present linearisations. `has_loads`: on which sides loads that come as load blocks
-/// are unknowns of it, so that nodes can be released, and others added; not beside `rigid` nodes, which have no
+/// are unknowns of it, so that nodes can be released, and others added; not with `rigid` nodes, which have no
 /// equations of their own.
 void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const PerSide<NodeFlags>& rigid);
 
@@ -36,11 +36,11 @@ void nearing_loads(const ContactInterface& contact, double dt, const ContactInte
 /// Tractions of nodes whose status the matrix may change as the iteration begins [MPa]; NaN at all others (see
 /// HeldLinearisation::undecided()).
 PerSide<VectorXd> undecided_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
-/// Nodes that open as the iteration begins, given the tractions of undecided nodes at its end [MPa]; `opened`: nodes
-/// that were taken to be open in finding these tractions (see HeldLinearisation::opening()).
+/// Nodes that open as the iteration begins, given the tractions at its end of the nodes that are predicted [MPa];
+/// `opened`: nodes that were taken to be open in finding these tractions (see HeldLinearisation::opening()).
 PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<VectorXd>& tractions,
                                  const PerSide<NodeFlags>& opened);
-/// Begins an iteration with these nodes open, of those that are undecided (see HeldLinearisation::open()).
+/// Begins an iteration with these nodes open, of those whose status is predicted (see HeldLinearisation::open()).
 void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields);
 
 /// A node whose load the matrix has and the status has not.

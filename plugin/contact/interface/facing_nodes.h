@@ -1,4 +1,4 @@
-/// What the nodes of the surface that a pass does not integrate over face.
+/// The points that the nodes of the surface that a pass does not integrate over face.
 #pragma once
 
 #include "interface/pass.h"
@@ -23,18 +23,18 @@ struct FacingNode {
   bool in_contact = false;
 };
 
-/// As the settings say. Where they leave it open: behind, where bodies overlap, as far as half the smaller surface is
+/// As the settings say. If they leave it open: behind, where bodies overlap, as far as half the smaller surface is
 /// large, since bodies hide what lies behind them; ahead by a quarter of a facet, more where they tilt, or as far as
 /// behind with tension and where a body meets itself. Surfaces that meet within a step find each other once they
 /// overlap.
 Reach reach_of(const Settings& settings, const FacingPositions& x);
 
-/// What each node of a surface, the primary one of the positions, meets on the other one along its normal within reach
-/// and is not hidden from.
+/// The point that each node of a surface, the primary one of the positions, meets on the other one along its normal,
+/// within reach and not hidden from it.
 IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
                                                        const FacingPositions& x, const Settings& settings);
 
-/// What the nodes of the other surface face, given which nodes of the surface integrated over are in contact.
+/// The points that nodes of the other surface face, given which nodes of the surface integrated over are in contact.
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings);
@@ -42,7 +42,7 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 
 /// Nodes that face contact in an iteration that begins, where `facing` do. Nodes that change too often are at the edge
-/// of contact, as ActiveSet has it; here no load tells whether they are.
+/// of contact, as ActiveSet has it; no load decides here whether they are.
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
 /// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);

@@ -1,4 +1,4 @@
-/// Loads of a state at which no tangent is asked for, as in explicit dynamics.
+/// Loads of a state without a tangent, as in explicit dynamics.
 #pragma once
 
 #include "interface/interface.h"

@@ -8,11 +8,11 @@
 namespace mixture_contact {
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
-/// check_penetration() the nodes that a second pass is limited to. What can be told from these stands beside the class:
+/// check_penetration() the nodes that a second pass is limited to. Functions of these are outside of the class:
 /// balances and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
 class ContactInterface {
  public:
-  /// Where a local residual or tangent belongs.
+  /// The location of a local residual or tangent.
   struct Location {
     Side first;          ///< the side of `patch.primary`, the surface integrated over
     const Patch& patch;  ///< nodes and fields
@@ -33,7 +33,7 @@ class ContactInterface {
   ContactInterface& operator=(ContactInterface&&) = delete;
   ~ContactInterface() = default;
 
-  /// Whether a projection looks for the facet anew or keeps to the one that a point saw last.
+  /// Whether a projection looks for the facet again or keeps to the one that a point saw last.
   enum class Search { everywhere, same_facets };
 
   /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
@@ -43,7 +43,7 @@ class ContactInterface {
   /// with the next project(); multipliers stay.
   void exchange_traction(bool traction);
 
-  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called for its
+  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called at its
   /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
   /// evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
@@ -59,7 +59,7 @@ class ContactInterface {
   friend void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// What loads at nodes add comes as load blocks where `add_load` is given and the pass has them, else as blocks.
+  /// Loads at nodes come as load blocks where `add_load` is given and the pass has them, else as blocks.
   /// `add_rows`, where given, takes the change of the geometry by nodes where it is held, times a factor and without
   /// weak couplings (see geometric_rows.h).
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
@@ -74,7 +74,7 @@ class ContactInterface {
   /// Forgets accepted steps: loads begin, and the surfaces begin to slide, where the next projection finds them.
   void forget_steps();
 
-  /// Gaps at the current state, the worst of both passes; meets() tells whether they meet the tolerances.
+  /// Gaps at the current state, the worst of both passes; meets() decides whether they meet the tolerances.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
 
   /// One augmentation: multipliers take the current loads, and slow fields a larger penalty. Returns whether any
@@ -90,22 +90,22 @@ class ContactInterface {
 
   /// Looks, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes that
   /// face the same primary facets become penetration-check nodes, those of a second pass in which no others can close,
-  /// and remain so: open they carry no load. is_solution() tells whether that changes the loads. Returns what is
+  /// and remain so: open they carry no load. is_solution() decides whether that changes the loads. Returns what is
   /// detected for the first time.
   ///
   /// Nothing with two passes or self-contact, where secondary nodes have laws of their own already, and without
-  /// traction: surfaces that cannot move stay as the user placed them. Beside unknown multipliers penetration-check
-  /// nodes have the default penalties: there is no room for unknowns on both surfaces.
+  /// traction: surfaces that cannot move stay as the user placed them. Penetration-check nodes keep default penalties
+  /// if multipliers are unknowns: there is no room for unknowns on both surfaces.
   UndetectedPenetration check_penetration(const PerSide<SurfaceFields>& fields);
 
-  /// What the last check_penetration() left without load.
+  /// The overlap that the last check_penetration() left without load.
   const UndetectedPenetration& undetected_penetration() const { return check_.undetected; }
 
   /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
   /// Takes penalties, tolerances and the offset from these settings, which may follow load curves; the others stay as
-  /// they are. With Enforcement::penalty a penalty of the traction that is reduced has multipliers that keep the
+  /// they are. A penalty of the traction that is reduced has multipliers, with Enforcement::penalty, that keep the
   /// accepted loads.
   void update_laws(const Settings& settings);
 
@@ -116,7 +116,7 @@ class ContactInterface {
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   ContactPass& pass(std::size_t index) { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
-  /// What a host does for a contact counts, too: it is const.
+  /// Time of the work of a host for a contact counts, too: it is const.
   Measurements& measurements() const { return measurements_; }
 
   /// All that is kept between time steps, to be stored and restored by the host.
@@ -153,7 +153,7 @@ bool faces_as_held(const ContactInterface& contact);
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 /// Has something else join nodes of the surfaces, or leave them: joined nodes do not close, and no ambient reaches
-/// them. Iterations end with it. With the next project() the others find what they face.
+/// them. Iterations end with it. The others find the points that they face with the next project().
 void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 }  // namespace mixture_contact

@@ -1,4 +1,4 @@
-/// What rounding of positions makes of the loads of a contact.
+/// The rounding of positions in the loads of a contact.
 #pragma once
 
 #include "interface/interface.h"

@@ -1,11 +1,11 @@
-/// What a contact measures of itself: where its time goes, and what it keeps in memory. No result depends on it.
+/// Measurements of a contact: its time by task, and its memory. No result depends on it.
 #pragma once
 
 #include "base/timings.h"
 
 namespace mixture_contact {
 
-/// What a contact keeps in memory.
+/// The memory that a contact keeps.
 struct Memory {
   std::size_t points = 0;  ///< integration points that see the other surface
   std::size_t bytes = 0;   ///< for them, their facets and nodes, between calls

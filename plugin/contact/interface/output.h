@@ -1,4 +1,4 @@
-/// What a contact says about itself: balances and values at nodes.
+/// Output of a contact: balances and values at nodes.
 #pragma once
 
 #include "interface/interface.h"
@@ -12,7 +12,7 @@ struct BondEnergy {
   double broken_area = 0;  ///< [mm^2]
 };
 
-/// What crosses the interface, as it acts on the primary surface; the secondary surface gets the exact opposite.
+/// The loads and flows across the interface, as they act on the primary surface; the secondary one gets the opposite.
 struct Balance {
   Vector3d force{0, 0, 0};     ///< contact force on the primary surface [N]
   double area = 0;             ///< area in contact [mm^2]
@@ -38,10 +38,10 @@ inline Sliding status_of(const FrictionOutput& friction, Index node) {
   return node < friction.status.size() ? static_cast<Sliding>(static_cast<int>(friction.status[node])) : Sliding::open;
 }
 
-/// What has come of the bonds at the nodes of a surface; empty where they cannot break.
+/// The state of the bonds at the nodes of a surface; empty where they cannot break.
 struct BreakingOutput {
   VectorXd damage;     ///< [-]
-  VectorXd opening;    ///< distance of what was tied [mm]
+  VectorXd opening;    ///< distance of the tied points [mm]
   VectorXd energy;     ///< dissipated by damage [mJ/mm^2]
   VectorXd broken_at;  ///< time at which the last bond of the node broke [s]; negative before
 };

@@ -5,8 +5,8 @@
 
 namespace mixture_contact {
 
-/// Rows of matrices with what is summed up at nodes, one column for each: sums over points of their values, weighted
-/// with the node's share of their area [mm^2]. From turning() on values turn their signs from one surface to the other.
+/// Rows of matrices with the sums at nodes, one column for each: sums over points of their values, weighted
+/// with the node's share of their area [mm^2]. Values after turning() change their signs from one surface to the other.
 class OutputRows {
  public:
   explicit OutputRows(const Effects& effects)
@@ -37,7 +37,7 @@ class OutputRows {
   bool has_friction_;
 };
 
-/// What a pass's nodes say about friction, as it is interpolated between them; empty without friction.
+/// The friction at a pass's nodes, as it is interpolated between them; empty without friction.
 struct SlidingNodes {
   Matrix3Xd slip;  ///< in the present tangent plane
   VectorXd bound;

@@ -24,8 +24,8 @@ class ContactPass {
   void project_on_same_facets(const FacingPositions& x);
 
   /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and holds that and the
-  /// linearisation of their gaps and jumps until the next call. Within the iteration and its line search loads are then
-  /// linear in the unknowns and no status changes.
+  /// linearisation of their gaps and jumps until the next call. Loads are then linear in the unknowns in the iteration
+  /// and its line search, and no status changes.
   ///
   /// Returns whether the loads at this state differ from those before the call.
   bool begin_iteration(const FacingFields& fields) { return geometry_->begin_iteration(fields); }
@@ -38,7 +38,7 @@ class ContactPass {
   /// effect with the next project().
   void restrict_active_set(const NodeFlags& nodes);
 
-  /// How it evaluates the integral: for what a host that keeps its matrix asks (corrections.h), and start_inactive(),
+  /// The evaluation of the integral: for hosts that keep their matrix (corrections.h), and start_inactive(),
   /// which begins an iteration with every node open, for a pass that joins others within a step.
   ContactGeometry& geometry() const { return *geometry_; }
 
@@ -76,7 +76,7 @@ class ContactPass {
   /// counts only then.
   bool is_solution(const FacingFields& fields) const { return geometry_->is_solution(fields); }
 
-  /// What the laws say at the nodes.
+  /// The loads by the laws at the nodes.
   NodalLoads nodal_loads(const FacingFields& fields) const { return geometry_->loads(fields); }
 
   /// Residual of (2.5), in one part per pair of facets that carries load.
@@ -102,7 +102,7 @@ class ContactPass {
   NodalLaws& laws() { return laws_; }
   const NodalLaws& laws() const { return laws_; }
   const Penalties& penalty() const { return laws_.penalties(); }
-  /// Bytes of what is kept between calls: pairs with their points, multipliers, penalties, and what iterations hold.
+  /// Bytes that are kept between calls: pairs with their points, multipliers, penalties, and the data of iterations.
   std::size_t memory() const;
 
  private:

@@ -1,4 +1,4 @@
-/// What iterations and steps that have ended leave for those to come.
+/// The data that iterations and steps leave for later ones.
 #pragma once
 
 #include "interface/interface.h"

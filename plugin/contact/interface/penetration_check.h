@@ -7,7 +7,7 @@ namespace mixture_contact {
 
 /// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
 /// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
-/// any load, unless a second pass resolves it. Beside facets in contact the average reaches that far: an overlap there
+/// any load, unless a second pass resolves it. The average reaches that far next to facets in contact: an overlap there
 /// is the error of the edge of contact, which no second law mends.
 struct UndetectedPenetration {
   int nodes = 0;     ///< how many lie deeper than penetration_tolerance
@@ -15,8 +15,8 @@ struct UndetectedPenetration {
   double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
 };
 
-/// What sound meshes show, relative to the longest edge of a facet: a facet bulges out of the arc between its ends, or
-/// stays behind it, by 1/8 of the angle of that arc, here 0.4 (16 facets around a circle).
+/// The overlap of sound meshes, relative to the longest edge of a facet: facets bulge out of the arc between their
+/// ends, or stay behind it, by 1/8 of the angle of that arc, here 0.4 (16 facets around a circle).
 inline constexpr double penetration_tolerance = 0.05;
 
 /// For each secondary node, its overlap with a primary facet away from contact, over the facet's longest edge; else 0.
@@ -39,7 +39,7 @@ struct PenetrationCheck {
   UndetectedPenetration undetected;  ///< what the last check left without load
 };
 
-/// Settings of the pass that is restricted to penetration-check nodes: those of the first one, but for unknown
+/// Settings of the pass that is restricted to penetration-check nodes: those of the first one, without unknown
 /// multipliers, for which there is no room on both surfaces.
 Settings settings_of_check(Settings settings);
 

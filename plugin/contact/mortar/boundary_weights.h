@@ -22,9 +22,9 @@ class BoundaryWeights {
   /// Keeps a reference to the facets.
   explicit BoundaryWeights(const IndexedVector<Facet>& facets) : facets_(facets) {}
 
-  /// Has everything decided anew, from the last decisions that were settled.
+  /// Has all decisions made again, from the last ones that counted.
   void reconsider() { carriers_.clear(); }
-  /// What is decided counts as the last decision from now on, and everything is decided anew.
+  /// The present decisions count as the last ones from now on, and all are made again.
   void settle();
   /// Whether it has been decided for a facet.
   bool knows(int facet) const { return is_known(carriers_, facet); }
@@ -38,11 +38,11 @@ class BoundaryWeights {
   void restore(LoadCarriers decisions);
 
   /// Functions psi_a of a facet at a place on it, which weight averages and interpolate loads: those of
-  /// multiplier_functions(), but that nodes covered least have theirs redistributed among the others of the facet. Far
+  /// multiplier_functions(), except that nodes covered least have theirs redistributed within the facet. Far
   /// from its node a psi_a says next to nothing, and conditions on such averages contradict those of the nodes that
   /// carry the load.
   ShapeFunctions shape(int facet, int sub_facet, const Vector2d& xi) const;
-  /// In which parts the nodes of a linear facet take the shape function of each, one column for each of them; empty
+  /// The parts in which the nodes of a linear facet take the shape function of each, one column for each of them; empty
   /// where each takes its own.
   std::optional<MatrixXd> heirs(int facet) const;
 

@@ -5,7 +5,7 @@
 
 namespace mixture_contact {
 
-/// What displacements of both surfaces make of the averaged gaps of these nodes [mm], to first order in how far the
+/// The changes of averaged gaps of these nodes by displacements of both surfaces [mm], to first order in how far the
 /// surfaces move apart along the normals, points and normals left as they are; zero at all other nodes.
 VectorXd gap_changes(const MortarSpace& space, const NodeFlags& nodes, const FacingPositions& displacements);
 

@@ -6,7 +6,7 @@
 namespace mixture_contact {
 
 /// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
-/// Where multipliers are unknowns every node has one, out of contact of its multipliers alone.
+/// Every node has one if multipliers are unknowns, out of contact of its multipliers alone.
 struct NodeLinearisation {
   /// First variation of the jump of one field. The virtual work of its flux is `weights` times the node's flux_area.
   struct Jump {
@@ -53,7 +53,7 @@ double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fie
 /// How F_a of a node varies with displacements given in the order of gap_variation.
 Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved);
 
-/// Where an iteration linearises: within it and its line search averages are linear in the unknowns.
+/// The point at which an iteration linearises: within it and its line search averages are linear in the unknowns.
 struct LinearisationPoint {
   SurfaceFields primary;  ///< the state
   SurfaceFields secondary;

@@ -17,7 +17,7 @@ class MortarSpace {
   MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  /// To change the pairs: what is known of them is found anew.
+  /// The pairs, to be changed: all that depends on them is computed again.
   FacingPairs& change_facing() {
     gaps_.reset();
     return facing_;
@@ -50,7 +50,7 @@ class MortarSpace {
   const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
-  /// Where the pairs were found.
+  /// The gaps at which the pairs were found.
   const NodalGaps& gaps() const;
   /// The gaps of a state, and the jumps of nodes of a status there; without loads.
   NodalLoads averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const;
@@ -64,7 +64,7 @@ class MortarSpace {
   /// The nodes and fields that the averages of a node are taken over, given the pairs around it; with friction also the
   /// nodes of all facets around it, which it convects with.
   Patch node_patch(Index node, const PairsAround& pairs) const;
-  /// What the rows of one field of a patch depend on.
+  /// The unknowns that the rows of one field of a patch depend on.
   Patch columns_of(const Patch& patch, int field) const;
   /// Whether the symmetric part of the tangent is wanted.
   bool symmetric() const { return symmetric_; }
@@ -73,7 +73,7 @@ class MortarSpace {
   /// Measures gaps from another distance from now on [mm].
   void measure_gaps_from(double offset);
 
-  /// What linearising and tangents spend on single effects; whoever times them takes it.
+  /// The time that linearising and tangents spend on single effects; whoever times them takes it.
   EffectTimings& effect_times() const { return effect_times_; }
   std::size_t memory() const;
   /// Integrals over a pair of facets that gaps are averaged from.
@@ -94,7 +94,7 @@ class MortarSpace {
   IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node, where there is friction
   PerSide<Matrix3Xd> past_;             ///< primary and secondary positions as the step began, where there is friction
   mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
-  mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, once they are asked for
+  mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, once they are needed
 };
 
 /// Values of the exchanged fields at the primary nodes, as NodalLoads::own has them.

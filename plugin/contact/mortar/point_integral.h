@@ -10,7 +10,7 @@ namespace mixture_contact {
 /// Nodal values of the exchanged scalar fields on a pair of facets, one column per field, shape (n1 + n2, fields).
 using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_pair_nodes>;
 
-/// What acts at an integration point.
+/// The loads at an integration point.
 struct PointLoads {
   LawValue traction{0.0, 0.0};        ///< t_n [MPa] and dt_n/dg
   Vector2d traction_slope{0.0, 0.0};  ///< dt_n/dxi_alpha where the point moves over the primary facet

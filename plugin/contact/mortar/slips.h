@@ -1,4 +1,4 @@
-/// What friction depends on, averaged around the nodes in contact: slip, normal, how the surface has moved since the
+/// The variables of friction, averaged around the nodes in contact: slip, normal, how the surface has moved since the
 /// step began, and the fluid pressure.
 #pragma once
 

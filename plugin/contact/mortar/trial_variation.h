@@ -6,8 +6,8 @@
 
 namespace mixture_contact {
 
-/// dtau_a/du of a node, columns in the order of gap_variation. What turns with the surface is the geometric vector of
-/// an iteration where there is one.
+/// dtau_a/du of a node, columns in the order of gap_variation. The part that turns with the surface is the geometric
+/// vector of an iteration if it has one.
 Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisation& linear,
                           const NodalFriction& friction);
 

@@ -10,7 +10,7 @@ namespace mixture_contact {
 inline constexpr int most_phase_changes = 3;
 /// After as many iterations in a row that contract, those of yielding bonds are near a solution. The size is a choice.
 inline constexpr int enough_contractions = 2;
-/// An iteration contracts where gap vectors change by less than this part of what the last one changed them by.
+/// An iteration contracts where gap vectors change by less than this part of their last change.
 inline constexpr double contraction = 0.9;
 
 /// Counts the changes of bonds between constant damage, growing damage and failure. Once one goes to and fro, those

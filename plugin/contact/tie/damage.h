@@ -6,7 +6,7 @@
 namespace mixture_contact {
 
 /// The damage that a solution leaves, at a time [s]. Brittle bonds break where their load exceeds the strength;
-/// cohesive ones have softened. What a bond had stored that breaks at once counts as dissipated.
+/// cohesive ones have softened. The stored energy of a bond that breaks at once counts as dissipated.
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time);
 
 /// Has a tie take damage over. Nodes that have broken lose their multipliers; the equation of an unknown one takes it

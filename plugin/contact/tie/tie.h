@@ -20,7 +20,7 @@ struct TieState {
   DamageState damage;
 };
 
-/// What tied nodes see and bear at a state; one column per tied node.
+/// The gaps and loads of tied nodes at a state; one column per tied node.
 struct TieLoads {
   Matrix3Xd gap;       ///< D_a [mm]
   Matrix3Xd traction;  ///< t_a on the primary surface [MPa]
@@ -37,10 +37,10 @@ inline constexpr double default_tie_flux_factor = 1e7;
 /// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and
 /// an iteration that unloads it goes wrong the farther.
 inline constexpr double default_cohesive_factor = 1e3;
-/// What augmentations may make of them: conditions that others nearly repeat close slowly at less.
+/// The largest factor that augmentations may reach: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
 
-/// What an iteration takes for the derivative of a bond whose damage grows: the derivative, or that of one that yields
+/// The derivative that an iteration takes for a bond whose damage grows: the true one, or that of one that yields
 /// (yielding_derivative()).
 enum class Softening { exact, yielding };
 

@@ -1,4 +1,4 @@
-/// What a tie says about itself: balances, and values at the nodes of both surfaces.
+/// Output of a tie: balances, and values at the nodes of both surfaces.
 #pragma once
 
 #include "interface/output.h"

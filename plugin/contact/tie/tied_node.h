@@ -27,7 +27,7 @@ struct KeptGap {
   double size = 0;  ///< INT psi_a g0 dA over the area, of the point [mm]
 };
 
-/// A primary node with what its averages are taken over.
+/// A primary node with the points that its averages are taken over.
 struct TiedNode {
   int node = 0;  ///< of the primary surface
   IndexedVector<int> primary;
@@ -42,7 +42,7 @@ struct TiedNode {
   bool exchanges(int field) const { return fields[field].exists(); }
 };
 
-/// What of a primary surface a tie leaves free.
+/// The nodes of a primary surface that a tie leaves free.
 struct UntiedNodes {
   int facing_nothing = 0;
   int too_far = 0;              ///< beyond the search radius

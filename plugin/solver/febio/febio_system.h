@@ -7,7 +7,7 @@ class FEGlobalMatrix;
 
 namespace newton {
 
-/// What FEBio makes of a matrix once it is formed.
+/// FEBio's use of a matrix once it is formed.
 enum class MatrixStrategy {
   none,            ///< the present step forms none
   updated,         ///< updates of a quasi-Newton method, as many as most_updates(); 0: each iteration has its own
@@ -23,7 +23,7 @@ class FEBioSystem {
 
   FEBioSolver& solver() const { return solver_; }
 
-  /// The smallest of FEBio's tolerances on increments that are tested, each a part of what the step has changed by;
+  /// The smallest of FEBio's tolerances on increments that are tested, each a part of the change of the step;
   /// infinite where none is.
   double increment_tolerance() const;
 
@@ -35,7 +35,7 @@ class FEBioSystem {
   void factorise() const;
   /// Forms a matrix at the present state, as FEBio does within its iterations, and informs everybody.
   void form_matrix() const;
-  /// Evaluates the residual at the present state anew.
+  /// Evaluates the residual at the present state again.
   void renew_residual() const;
 
   // When FEBio forms a matrix

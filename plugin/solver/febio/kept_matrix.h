@@ -21,12 +21,12 @@ class KeptMatrix {
   /// Keeps a reference.
   explicit KeptMatrix(const FEBioSystem& system) : system_(system) {}
 
-  /// FEBio has formed another one, as it said. It is solved with these parts beside it.
+  /// FEBio has formed another one, as it said. It is solved with these deferred parts.
   void formed(const MatrixParts& parts);
-  /// FEBio goes on after an iteration: the same of a matrix that it has told nobody of, and of the one it has where
+  /// FEBio goes on after an iteration: the same of a matrix that it has formed silently, and of the one it has where
   /// iterations begin with it and without updates.
   void go_on(const MatrixParts& parts, bool begins);
-  /// What it has for its solution with these conditions, parts beside it as they stand; none where that is singular or
+  /// The solution with these conditions and the present deferred parts; none where that is singular or
   /// nothing is to be corrected with it.
   std::optional<Answer> answer(const std::vector<Condition>& conditions);
   /// FEBio's next solution is to meet these conditions and no others, and to be what it has answered: the right-hand
@@ -42,7 +42,7 @@ class KeptMatrix {
   void give_back();
   /// A trial has been made of FEBio's solution: FEBio's right-hand side is its own again.
   void tried(const std::vector<double>& solution);
-  /// Whether parts have been too large to stand beside it. They are to be in it from now on.
+  /// Whether parts have been too large to be deferred. They are to be in the matrix from now on.
   bool needs_parts() const { return found_.needs_parts; }
   /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
   /// nothing is to be corrected with it, or is to be with parts in it.
@@ -56,7 +56,7 @@ class KeptMatrix {
 
   /// A converged state has been rejected, and the next iteration is to be with this matrix, corrected.
   void keep_next() { restore(); }
-  /// A converged state has been accepted. What follows, an augmentation or a step, has a matrix where FEBio's settings
+  /// A converged state has been accepted. The augmentation or step that follows has a matrix where FEBio's settings
   /// say so, and where conditions were held with this one.
   void accept();
   /// Has FEBio form a matrix before the next iteration, also where that follows an augmentation.
@@ -67,17 +67,17 @@ class KeptMatrix {
   void serialize(DumpStream& ar);
 
  private:
-  /// What iterations with the matrix have come to.
+  /// The record of iterations with the matrix.
   struct Served {
     int iterations = 0;  ///< up to the last that was corrected
     double left = 0;     ///< of the residual, by the last one; 0 before any
   };
-  /// What matrices of the model have shown.
+  /// The properties that matrices of the model have shown.
   struct Found {
-    bool needs_parts = false;   ///< parts are too large to stand beside them
-    bool loses_pivots = false;  ///< they cannot be factorised with what contacts do to their rows
+    bool needs_parts = false;   ///< deferred parts are too large
+    bool loses_pivots = false;  ///< they cannot be factorised after the row operations of contacts
   };
-  /// FEBio tells nobody of the matrices that it forms after augmentations, but counts all within a step. Returns
+  /// FEBio does not announce the matrices that it forms after augmentations, but counts all within a step. Returns
   /// whether there is another one.
   bool follow();
   /// Begins with another one.
@@ -95,7 +95,7 @@ class KeptMatrix {
   std::vector<double> checked_solution(const std::vector<double>& right);
   /// Factorises the matrix as it is without that, and so do those that follow; says so once.
   void undo_operations();
-  /// Has the next matrices hold what has stood beside this one, and says so once.
+  /// Has the next matrices hold the parts that were deferred, and says so once.
   void take_parts_in();
   void restore();
 
@@ -108,7 +108,7 @@ class KeptMatrix {
   Found found_;
   RowOperations operations_;
   std::vector<double> taken_;             ///< what the right-hand side is without until there is a trial
-  Split split_;                           ///< how that was found, but for conditions; its product is taken
+  Split split_;                           ///< how that was found, except conditions; its product is taken
   MatrixParts split_parts_;               ///< of that, until there is a trial
   double reduction_ = unknown_reduction;  ///< of splits, as the last trials have shown it
   std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known

@@ -1,7 +1,7 @@
 /// Couplings of a contact into the profile of FEBio's matrix.
 ///
-/// FEBio inserts the rows of a block one by one, for every block that a column stands in. The blocks of a contact
-/// overlap, a node standing in those of all nodes around it: here each column takes the union of its blocks at once.
+/// FEBio inserts the rows of a block one by one, for every block that a column belongs to. The blocks of a contact
+/// overlap, since a node belongs to those of all nodes around it: here a column takes the union of its blocks at once.
 #pragma once
 
 #include "contact/base/lists.h"
@@ -21,7 +21,7 @@ void unite(RowIntervals& intervals);
 /// Blocks of equations that are coupled.
 class CoupledBlocks {
  public:
-  /// For a matrix of that many columns.
+  /// Blocks of a matrix of that many columns.
   explicit CoupledBlocks(int columns) : columns_(columns) {}
 
   /// Takes a block of equations that all couple with each other. Entries below zero are left out; throws
@@ -33,7 +33,7 @@ class CoupledBlocks {
   void add_rows(const std::vector<int>& rows, const std::vector<int>& columns);
   /// Has a row take the columns of others: multiples of them are to be added to it.
   void add_sum(int row, const std::vector<int>& others);
-  /// Inserts all blocks. What the profile has couples both ways.
+  /// Inserts all blocks. The couplings in the profile go both ways.
   void insert_into(SparseMatrixProfile& profile);
 
  private:
@@ -50,7 +50,7 @@ class CoupledBlocks {
   };
   /// Extends blocks by rows that take the columns of theirs, and adds those that they have in the profile.
   void add_sums(SparseMatrixProfile& profile);
-  /// Per column of the matrix the blocks that it stands in, ascending, each once.
+  /// Per column of the matrix the blocks that it belongs to, ascending, each once.
   mixture_contact::Lists<Index> blocks_of_columns() const;
   /// Per block its rows.
   mixture_contact::Lists<SparseMatrixProfile::RowEntry> rows_of_blocks() const;

@@ -29,11 +29,11 @@ class MatrixRows {
   void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
   /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. None, and the
   /// row is as it was, where it has no place for an entry of theirs, where their rows do not determine them, and where
-  /// what the row has on the diagonal would be lost beside what it takes.
+  /// the diagonal of the row would be lost in rounding.
   std::optional<RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
   /// Takes back what a row has taken of others.
   void undo(const RowOperation& operation) const;
-  /// By which part of its entries a row of the matrix, or its right-hand side, would have to be another one for a
+  /// The part of its entries by which a row of the matrix, or its right-hand side, would have to be another one for a
   /// solution to be exact, at most (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
   double backward_error(const std::vector<double>& solution, const std::vector<double>& right) const;
 

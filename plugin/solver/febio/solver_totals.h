@@ -1,4 +1,4 @@
-/// What FEBio's solvers hold a step to have changed so far.
+/// The changes of a step so far, as FEBio's solvers hold them.
 ///
 /// They keep it per equation, and those of FEBioMix once more for each variable, in an order of their own. Their
 /// convergence tests compare an increment with these totals.

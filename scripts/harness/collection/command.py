@@ -36,15 +36,15 @@ class Whose(str, Enum):
 
 def models(
     ctx: typer.Context,
-    family: Annotated[Family | None, typer.Argument(help="A model of this family; else the collection.")] = None,
-    size: Annotated[Size, typer.Option(help="Of the knee: how fine the mesh is.")] = Size.SMALL,
-    load: Annotated[Load, typer.Option(help="Of the knee: 700 N, or one cycle of gait.")] = Load.STANCE,
-    contact: Annotated[Whose, typer.Option(help="Of the knee: the plugin's contact or FEBio's.")] = Whose.MIXTURE,
-    friction: Annotated[float, typer.Option(min=0.0, help="Of the knee: coefficient in all contacts.")] = 0.0,
-    output: Annotated[Path | None, typer.Option(help="Of the knee: the .feb file.")] = None,
-    folder: Annotated[Path, typer.Option(help="Of the collection: where the .feb files go.")] = MODELS,
+    family: Annotated[Family | None, typer.Argument(help="Write a model of this family, not the collection.")] = None,
+    size: Annotated[Size, typer.Option(help="Make the mesh of the knee this fine.")] = Size.SMALL,
+    load: Annotated[Load, typer.Option(help="Load the knee by 700 N, or by one cycle of gait.")] = Load.STANCE,
+    contact: Annotated[Whose, typer.Option(help="Take the plugin's contact or FEBio's in the knee.")] = Whose.MIXTURE,
+    friction: Annotated[float, typer.Option(min=0.0, help="Give all contacts of the knee this coefficient.")] = 0.0,
+    output: Annotated[Path | None, typer.Option(help="Write the knee to this .feb file.")] = None,
+    folder: Annotated[Path, typer.Option(help="Write the collection to this folder.")] = MODELS,
     check: Annotated[
-        bool, typer.Option("--check", help="Of the collection: write nothing; fail where a file is not up to date.")
+        bool, typer.Option("--check", help="Write nothing; fail if a file of the collection is not up to date.")
     ] = False,
 ) -> None:
     """Write the .feb files of the collection, or a knee."""
@@ -85,4 +85,4 @@ def _collection(folder: Path, check: bool) -> None:
         return
     old = collection.outdated(folder)
     if old:
-        raise HarnessError(f"not those of the collection: {', '.join(old)} in {folder}; `models` writes them anew")
+        raise HarnessError(f"not those of the collection: {', '.join(old)} in {folder}; `models` writes them again")

@@ -71,6 +71,8 @@ def _check_target(model: Path, target: Path, read: Iterable[Path]) -> None:
         raise HarnessError(f"{target}: there is no folder {target.parent}; make it first, or name another --output")
     if target.is_dir():
         raise HarnessError(f"{target} is a folder; name a file by --output")
+    if target.suffix != ".feb":
+        raise HarnessError(f"{target}: a model file ends in .feb; name another --output")
     others = (file for file in read if file.resolve() != model.resolve())
     if any(file.resolve() == target.resolve() for file in others):
         raise HarnessError(f"{model} reads {target}; name another --output")

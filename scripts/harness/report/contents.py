@@ -59,7 +59,7 @@ def _text_of(log: Path, model: Path) -> str:
     try:
         return log.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
-        raise DataFileError(f"{log}: {error.strerror}; run {model.name} first, its log stands beside it") from error
+        raise DataFileError(f"{log}: {error.strerror}; run {model.name} first, its log is next to it") from error
 
 
 def _summary(report: febio_log.Report, log: str) -> str:

@@ -20,7 +20,7 @@ console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 def run(
     model: Annotated[Path, typer.Argument(help="A .feb file.")],
     chosen: Annotated[
-        hosts.Engine | None, typer.Option("--engine", help="What runs the model: febio4 if it is there.")
+        hosts.Engine | None, typer.Option("--engine", help="Run the model with this engine; febio4 if it is there.")
     ] = None,
 ) -> None:
     """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture' or 'tied-mixture'."""

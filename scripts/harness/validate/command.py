@@ -30,12 +30,14 @@ console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 
 def validate(
-    interface: Annotated[InterfaceType, typer.Option(help="What joins the bodies.")] = InterfaceType.MIXTURE,
+    interface: Annotated[
+        InterfaceType, typer.Option(help="Join the bodies by this interface.")
+    ] = InterfaceType.MIXTURE,
     only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
+    folder: Annotated[Path, typer.Option(help="Write results and pictures to this folder.")] = RESULTS,
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     chosen: Annotated[
-        hosts.Engine | None, typer.Option("--engine", help="What runs the models: febio4 if it is there.")
+        hosts.Engine | None, typer.Option("--engine", help="Run the models with this engine; febio4 if it is there.")
     ] = None,
 ) -> None:
     """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
@@ -129,8 +131,10 @@ def _conclude(found: list[results.Results]) -> None:
 
 
 def plot(
-    file: Annotated[Path, typer.Argument(help="What `validate` wrote.")] = RESULTS / results.FILE_NAME,
-    folder: Annotated[Path | None, typer.Option(help="Where pictures go; next to the file by default.")] = None,
+    file: Annotated[Path, typer.Argument(help="Read this file of `validate`.")] = RESULTS / results.FILE_NAME,
+    folder: Annotated[
+        Path | None, typer.Option(help="Write pictures to this folder; next to the file by default.")
+    ] = None,
 ) -> None:
     """Draw the pictures again."""
     for path in figures.draw(results.read(file).profiles, folder or file.parent):

@@ -110,7 +110,7 @@ def read(path: Path) -> Results:
     try:
         return _from_data(data)
     except (KeyError, TypeError, AttributeError) as error:
-        raise DataFileError(f"{path}: an entry is missing or unknown ({error}); `validate` writes it anew") from error
+        raise DataFileError(f"{path}: an entry is missing or unknown ({error}); `validate` writes it again") from error
 
 
 def _from_data(data: dict[str, Any]) -> Results:

@@ -22,7 +22,7 @@ console = Console(highlight=False, soft_wrap=True)
 def ablation(
     only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
     device: Annotated[list[str] | None, typer.Option(help="Leave out this one alone; may be repeated.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "ablation",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "ablation",
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
 ) -> None:
     """Run scenes with all devices of the solver, and with each device left out that acts there.

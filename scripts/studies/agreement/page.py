@@ -98,8 +98,9 @@ def headline(rows: Sequence[Row]) -> str:
     counts = [f"{sum(a > b for a, b in _errors(own))} of {len(own)} {name}" for name, own in kinds.items()]
     left = [2.0 * pair.febio.apart for own in kinds.values() for pair in own]
     return (
-        f"Not on a coarse mesh. The converted model is nearer to the fine answer in {' and '.join(counts)}. The two "
-        f"differ by {100 * median(left):.1f} % in the median on the finest mesh, and by up to {100 * max(left):.0f} %."
+        f"It differs on a coarse mesh. The converted model is nearer to the fine answer in {' and '.join(counts)}. "
+        f"The two differ by {100 * median(left):.1f} % in the median on the finest mesh, and by up to "
+        f"{100 * max(left):.0f} %."
     )
 
 

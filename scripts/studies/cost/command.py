@@ -41,10 +41,10 @@ class Part(str, Enum):
 def cost(
     error: Annotated[float | None, typer.Option(min=0.0, help="Answer for this error instead of measuring.")] = None,
     problem: Annotated[list[Problem] | None, typer.Option(help="This problem alone; may be repeated.")] = None,
-    data: Annotated[Path, typer.Option(help="Where answers, and settings to be timed in turn, come from.")] = DATA,
+    data: Annotated[Path, typer.Option(help="Read answers, and settings to be timed in turn, from this file.")] = DATA,
     only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
     number: Annotated[int, typer.Option("--rounds", min=1, help="How often interfaces are timed in turn.")] = 9,
-    folder: Annotated[Path, typer.Option(help="Where measurements and pictures go.")] = RESULTS / "cost",
+    folder: Annotated[Path, typer.Option(help="Write measurements and pictures to this folder.")] = RESULTS / "cost",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
@@ -133,7 +133,7 @@ def cost_sweep(
     problem: Problem,
     interface: InterfaceType,
     parameter: Parameter,
-    out: Annotated[Path, typer.Option(help="Where the data go, as JSON.")] = Path("sweep.json"),
+    out: Annotated[Path, typer.Option(help="Write the data to this file, as JSON.")] = Path("sweep.json"),
 ) -> None:
     """Measure one problem with one interface, one parameter varied."""
     runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
@@ -145,8 +145,8 @@ def cost_interleaved(
     problem: Problem,
     kind: Annotated[interleaved.Kind, typer.Argument(help="Which size; instructions are counted of the short one.")],
     number: Annotated[int, typer.Argument(min=0, help="Which round.")],
-    data: Annotated[Path, typer.Option(help="Where settings come from.")] = DATA,
-    out: Annotated[Path, typer.Option(help="Where the times go, as JSON.")] = Path("interleaved.json"),
+    data: Annotated[Path, typer.Option(help="Read settings from this file.")] = DATA,
+    out: Annotated[Path, typer.Option(help="Write the times to this file, as JSON.")] = Path("interleaved.json"),
 ) -> None:
     """Time the interfaces once, one after the other, on one of the problems 3.1 and 3.2."""
     if problem not in interleaved.PROBLEMS:

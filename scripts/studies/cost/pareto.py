@@ -122,7 +122,7 @@ def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
         mark = axes.plot(place[0], 1, "x", transform=place[1], clip_on=False, color=LOOKS[datum.interface])[0]
         mark.set(markersize=5, gid=f"failed {datum.interface}")
     if data:
-        axes.text(1.0, 0.95, "x: did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
+        axes.text(1.0, 0.95, "x: did not complete", transform=axes.transAxes, ha="right", va="top", fontsize=8)
 
 
 LEVELS = tuple(10.0**-k for k in range(1, 8))

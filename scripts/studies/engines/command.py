@@ -22,7 +22,7 @@ MISSED = 1
 
 def engines(
     only: Annotated[list[str] | None, typer.Option(help="Compare this problem alone; may be repeated.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where runs go.")] = RESULTS,
+    folder: Annotated[Path, typer.Option(help="Write runs to this folder.")] = RESULTS,
 ) -> None:
     """Run problems 3.1 to 3.3 with febio4 and with the embedded engine, both to rounding, and compare all nodes."""
     known = {comparison.name: comparison for comparison in COMPARISONS}

@@ -1,4 +1,4 @@
-"""The commands of friction: its hard cases, published curves, and slip that should not be against time."""
+"""The commands of friction: its hard cases, published curves, and elastic slip against time."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ Limit = Annotated[float, typer.Option(help="s of processor time for each run.")]
 
 def friction_cases(
     only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
-    mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run this mesh alone.")] = None,
     febio: Annotated[bool, typer.Option(help="Run FEBio's friction, too, with two factors on its penalties.")] = True,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "friction-cases",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "friction-cases",
     limit: Limit = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the data of the documentation, too.")] = False,
 ) -> None:
@@ -57,7 +57,7 @@ def friction_cases(
 
 
 def friction_benchmarks(
-    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS
+    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
     / "friction-benchmarks",
     limit: Limit = LIMIT,
 ) -> None:
@@ -80,7 +80,7 @@ def friction_benchmarks(
 
 
 def friction_cost(
-    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS
+    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
     / "friction-cost",
     limit: Limit = LIMIT,
 ) -> None:

@@ -17,8 +17,8 @@ LINES = {"coarse mesh": (":", "0.45"), "fine mesh": ("-", RED), FEBIO_SERIES: ("
 MARKS = {FEBIO: "o", SAUER: "s", ABAQUS: "^", AREIAS: "x"}
 PANELS = (
     ("torque", "angle [degrees]", "torque [N mm]", "twisting hemisphere"),
-    (SPHERES, "way [mm]", "force [N]", "octant of concentric spheres"),
-    (SMOOTH_SPHERES, "way [mm]", "force [N]", "the same without friction"),
+    (SPHERES, "displacement [mm]", "force [N]", "octant of concentric spheres"),
+    (SMOOTH_SPHERES, "displacement [mm]", "force [N]", "the same without friction"),
 )
 
 

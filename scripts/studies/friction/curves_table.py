@@ -29,8 +29,8 @@ def figures() -> Mapping[str, str]:
 def spheres(rows: Sequence[Row]) -> Mapping[str, str]:
     """Tables of the concentric spheres, with friction and without it."""
     return {
-        "spheres_table": _table(rows, SPHERES, "way [mm]", published.WAYS, published.SPHERES),
-        "smooth_table": _table(rows, SMOOTH_SPHERES, "way [mm]", published.WAYS, published.SMOOTH_SPHERES),
+        "spheres_table": _table(rows, SPHERES, "displacement [mm]", published.WAYS, published.SPHERES),
+        "smooth_table": _table(rows, SMOOTH_SPHERES, "displacement [mm]", published.WAYS, published.SMOOTH_SPHERES),
     }
 
 

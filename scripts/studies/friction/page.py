@@ -1,4 +1,4 @@
-"""The page of friction: docs/evidence/friction.md, from hard cases, slip that should not be, and test scenes."""
+"""The page of friction: docs/evidence/friction.md, from hard cases, elastic slip, and test scenes."""
 
 from __future__ import annotations
 

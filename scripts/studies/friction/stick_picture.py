@@ -17,7 +17,7 @@ LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic": "#2f5d9e"}
 """Colours of the interfaces."""
 LABELS = {
     Problem.STICK: (
-        "slip that should not be, over the shear [-]",
+        "elastic slip over the shear [-]",
         "processor time over that of the conforming reference [-]",
     ),
     Problem.PARTIAL: ("error of the half-width that sticks [-]", "processor time [s]"),
@@ -72,4 +72,4 @@ def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
         drawn = axes.plot(1.0 - 0.04 * number, 1.0, "x", transform=axes.transAxes, clip_on=False)[0]
         drawn.set(color=LOOKS[datum.interface], markersize=6, gid=f"failed {datum.interface}")
     if data:
-        axes.text(1.0, 0.96, "x: did not end", transform=axes.transAxes, ha="right", va="top", fontsize=8)
+        axes.text(1.0, 0.96, "x: did not complete", transform=axes.transAxes, ha="right", va="top", fontsize=8)

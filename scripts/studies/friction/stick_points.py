@@ -1,4 +1,4 @@
-"""What the tangential penalty and AUGLAG buy in slip that should not be, and what they cost."""
+"""Elastic slip and time by tangential penalty and with AUGLAG."""
 
 from __future__ import annotations
 

@@ -26,11 +26,11 @@ TIMEOUT = 60.0
 
 
 def fuzz(
-    kind: Annotated[list[Kind] | None, typer.Option(help="What is drawn; both without it.")] = None,
+    kind: Annotated[list[Kind] | None, typer.Option(help="Draw this kind alone; both are drawn without it.")] = None,
     seed: Annotated[int, typer.Option(min=0, help="First seed.")] = 0,
     count: Annotated[int, typer.Option(min=1, help="Largest number of seeds of each kind.")] = 1000,
     minutes: Annotated[float, typer.Option(min=0.0, help="Wall time; calling again goes on.")] = 60.0,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "fuzz",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "fuzz",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = 1,
 ) -> None:
     """Run random scenes and random parameters until the time is over; exit code 1 where a fault was found.
@@ -68,7 +68,7 @@ def fuzz_seeds(
     first: int,
     count: int,
     deadline: Annotated[float, typer.Argument(help="Time (s since 1970) after which no run begins.")],
-    out: Annotated[Path, typer.Option(help="Where the outcomes go, as JSON.")] = Path("fuzz.json"),
+    out: Annotated[Path, typer.Option(help="Write the outcomes to this file, as JSON.")] = Path("fuzz.json"),
 ) -> None:
     """Run some seeds; without a result where the time is over before the end."""
     runner = Runner(RESULTS / "fuzz" / "runs", timeout=TIMEOUT)

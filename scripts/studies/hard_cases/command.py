@@ -27,9 +27,9 @@ console = Console(highlight=False, soft_wrap=True)
 
 def hard_cases(
     only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
-    mesh: Annotated[list[Fineness] | None, typer.Option(help="On this mesh alone.")] = None,
-    interface: Annotated[list[Interface] | None, typer.Option(help="With this interface alone.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "hard-cases",
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run this mesh alone.")] = None,
+    interface: Annotated[list[Interface] | None, typer.Option(help="Run this interface alone.")] = None,
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "hard-cases",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
@@ -82,7 +82,7 @@ def hard_case(
     name: Annotated[str, typer.Argument(help="Which case.")],
     mesh: Annotated[Fineness, typer.Argument(help="Which mesh.")] = Fineness.COARSE,
     interface: Annotated[list[Interface] | None, typer.Option(help="This interface alone; may be repeated.")] = None,
-    out: Annotated[Path | None, typer.Option(help="Where the records go, as JSON.")] = None,
+    out: Annotated[Path | None, typer.Option(help="Write the records to this file, as JSON.")] = None,
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
 ) -> None:
     """Run one hard case on one mesh and print its checks."""

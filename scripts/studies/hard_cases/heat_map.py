@@ -72,9 +72,9 @@ GROUPS = {
 """Cases by their kind."""
 SEVERITY = {End.PASSES: 0, End.MISSES: 1, End.FAILS: 10, End.LIMIT: 10}
 """How much an end counts in the order of rows."""
-ROW, LABEL, CELL = 0.4, 2.75, 0.95
+ROW, LABEL, CELL = 0.44, 3.02, 0.86
 """Height of a row, width of the labels and of a cell, inches."""
-LETTERS = 42
+LETTERS = 38
 """In a line of a label."""
 Row = Mapping[str, Outcome]
 
@@ -84,22 +84,22 @@ def draw(outcomes: Sequence[Outcome], path: Path) -> Path:
     mpl.use("Agg")
     groups = ordered(arranged(outcomes))
     lines = sum(1 + len(rows) for rows in groups.values())
-    width, height = LABEL + CELL * len(COLUMNS), ROW * (lines + 3)
+    width, height = LABEL + CELL * len(COLUMNS), ROW * (lines + 4)
     figure = Figure(figsize=(width, height), facecolor="white")
-    axes = figure.add_axes((0.0, ROW / height, 1.0, ROW * (lines + 2) / height))
+    axes = figure.add_axes((0.0, 2 * ROW / height, 1.0, ROW * (lines + 2) / height))
     axes.set(xlim=(-LABEL / CELL, len(COLUMNS)), ylim=(lines, -2))
     axes.set_axis_off()
     for column, text in enumerate(COLUMNS.values()):
         axes.text(column + 0.5, -0.9, text, ha="center", va="center", fontsize=10)
     place = 0
     for title, rows in groups.items():
-        axes.text(-LABEL / CELL + 0.05, place + 0.6, title, va="center", fontsize=11, weight="bold")
+        axes.text(-LABEL / CELL + 0.05, place + 0.6, title, va="center", fontsize=12, weight="bold")
         place += 1
         for label, row in rows.items():
             _line(axes, place, label, row)
             place += 1
     handles = [Patch(facecolor=colour, edgecolor="black", label=end.value) for end, (colour, _) in LOOKS.items()]
-    figure.legend(handles=handles, loc="lower center", ncols=4, fontsize=8, frameon=False, handlelength=1.2)
+    figure.legend(handles=handles, loc="lower center", ncols=2, fontsize=10, frameon=False, handlelength=1.2)
     figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
     return path
 
@@ -121,8 +121,8 @@ def _severity(row: Row) -> int:
 
 def _line(axes: Axes, place: int, label: str, row: Row) -> None:
     """A case: its label and its cells."""
-    text = "\n".join(textwrap.wrap(label, LETTERS, max_lines=2, placeholder=" ..."))
-    axes.text(-LABEL / CELL + 0.05, place + 0.5, text, va="center", fontsize=8.5, linespacing=1.0)
+    text = "\n".join(textwrap.wrap(label, LETTERS, max_lines=3, placeholder=" ..."))
+    axes.text(-LABEL / CELL + 0.05, place + 0.5, text, va="center", fontsize=10, linespacing=0.95)
     for column, name in enumerate(COLUMNS):
         if name in row:
             colour, ink = LOOKS[row[name].end]

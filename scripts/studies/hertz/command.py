@@ -19,7 +19,8 @@ ELASTIC_DATA, ELASTIC_PICTURE = "data/elastic-hertz.csv", "images/elastic-hertz.
 
 
 def biphasic_hertz(
-    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS / "hertz",
+    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
+    / "hertz",
 ) -> None:
     """Press two thin biphasic layers together, on two meshes, and compare with the closed form."""
     runner = Runner(RESULTS / "runs")
@@ -35,7 +36,8 @@ def biphasic_hertz(
 
 
 def elastic_hertz(
-    folder: Annotated[Path, typer.Option(help="Where data and picture go; `docs` for the site.")] = RESULTS / "hertz",
+    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
+    / "hertz",
 ) -> None:
     """Press a cylinder and a sphere on a block, on two meshes each, and compare with Hertz's closed forms."""
     rows = elastic_profiles.all_rows(Runner(RESULTS / "runs"))

@@ -56,18 +56,20 @@ MOST_AUGMENTATIONS = 25
 
 def indentation(
     variant: Annotated[Variant, typer.Option(help="Which member of the family.")] = Variant.PLAIN,
-    interface: Annotated[InterfaceType, typer.Option(help="What joins the bodies.")] = InterfaceType.MIXTURE,
+    interface: Annotated[
+        InterfaceType, typer.Option(help="Join the bodies by this interface.")
+    ] = InterfaceType.MIXTURE,
     solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
     configuration: Annotated[
         Configuration | None, typer.Option(help="A configuration of the study; the interface's defaults without it.")
     ] = None,
     segments: Annotated[bool, typer.Option("--segments", help="Segment integration (sliding-mixture only).")] = False,
     laugon: Annotated[
-        Enforcement | None, typer.Option(help="Enforcement; that of the configuration without it.")
+        Enforcement | None, typer.Option(help="Take this enforcement, not that of the configuration.")
     ] = None,
     tolerance: Annotated[float | None, typer.Option(help="Relative tolerance of gaps and jumps.")] = None,
     free_top: Annotated[bool, typer.Option("--free-top", help="Let the round body's flat top slide.")] = False,
-    folder: Annotated[Path, typer.Option(help="Where results and pictures go.")] = RESULTS,
+    folder: Annotated[Path, typer.Option(help="Write results and pictures to this folder.")] = RESULTS,
 ) -> None:
     """Run problem 3.3, a semi-cylinder driven into a slab, and draw figure 3.4 and its curves.
 
@@ -115,11 +117,13 @@ def _summary(result: RunResult, curves: Curves) -> str:
 
 
 def indentation_study(
-    interface: Annotated[InterfaceType, typer.Option(help="What joins the bodies.")] = InterfaceType.MIXTURE,
+    interface: Annotated[
+        InterfaceType, typer.Option(help="Join the bodies by this interface.")
+    ] = InterfaceType.MIXTURE,
     solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
     default_penalties: Annotated[bool, typer.Option(help="The interface's own penalties, not FEBio's scaled.")] = False,
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = configurations.TIMEOUT,
-    folder: Annotated[Path, typer.Option(help="Where runs and the table go.")] = RESULTS,
+    folder: Annotated[Path, typer.Option(help="Write runs and the table to this folder.")] = RESULTS,
 ) -> None:
     """Run problem 3.3 in the five configurations in which FEBio's interfaces fail, and list how each run went."""
     cases = [Case(c, interface, solver.module, solver.clamp, not default_penalties) for c in Configuration]
@@ -139,7 +143,7 @@ def indentation_study(
 
 def indentation_extremes(
     only: Annotated[list[str] | None, typer.Option(help="Cases by name, instead of all.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where runs, table and picture go.")] = RESULTS,
+    folder: Annotated[Path, typer.Option(help="Write runs, table and picture to this folder.")] = RESULTS,
 ) -> None:
     """Concentrations below 0 and above 1 mM in problem 3.3, and in bodies without contact, by mesh and for d0 = d."""
     runs = extremes.run(Runner(folder / "runs", timeout=None), only)
@@ -148,9 +152,9 @@ def indentation_extremes(
 
 
 def indentation_convergence(
-    primary: Annotated[list[Arrangement] | None, typer.Option(help="Arrangements, instead of all.")] = None,
+    primary: Annotated[list[Arrangement] | None, typer.Option(help="Run these arrangements alone.")] = None,
     meshes: Annotated[int, typer.Option(min=1, max=3, help="How many, from the coarsest on.")] = 3,
-    folder: Annotated[Path, typer.Option(help="Where runs and the table go.")] = RESULTS,
+    folder: Annotated[Path, typer.Option(help="Write runs and the table to this folder.")] = RESULTS,
 ) -> None:
     """Problem 3.3 on three meshes with the same steps: values at four times, observed orders. Takes half an hour."""
 

@@ -25,7 +25,7 @@ console = Console(highlight=False, soft_wrap=True)
 def knee(
     stance: Annotated[Size, typer.Option(help="How fine the knee in stance is.")] = Size.SMALL,
     gait: Annotated[Size, typer.Option(help="How fine the knee in gait is.")] = Size.COARSE,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "knee",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "knee",
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = page.LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write data, page and picture of the documentation.")] = False,
 ) -> None:

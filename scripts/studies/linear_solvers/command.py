@@ -23,7 +23,7 @@ def linear_solvers(
     only: Annotated[list[str] | None, typer.Option(help="Solvers of this type alone; may be repeated.")] = None,
     data: Annotated[Path, typer.Option(help="The file whose rows are measured again.")] = RESULTS
     / "linear-solvers.json",
-    build: Annotated[str, typer.Option(help="What is special about this FEBio, e.g. 'with SuperLU_MT'.")] = "",
+    build: Annotated[str, typer.Option(help="Add this to the version of FEBio, e.g. 'with SuperLU_MT'.")] = "",
 ) -> None:
     """Solve small models by FEBio's linear solvers under each enforcement, and write the table.
 

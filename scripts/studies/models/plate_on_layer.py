@@ -47,8 +47,8 @@ TIMES = tuple(
 )
 """Ends of the steps, s."""
 ABOUT = """\
-A biphasic cartilage layer of 1 mm, confined, with a fixed, drained base, under an impermeable rigid plate that bears
-0.0001 MPa at once and slides. Friction is mu_eq = 0.2 of the part of the load that the solid bears. The
+An impermeable rigid plate bears 0.0001 MPa at once and slides on a confined biphasic cartilage layer of 1 mm, whose
+base is fixed and drained. Friction is mu_eq = 0.2 of the part of the load that the solid bears. The
 effective friction coefficient grows from phi mu_eq to mu_eq as the layer drains, in about h^2/(H k) = 1000 s."""
 
 

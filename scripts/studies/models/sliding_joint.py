@@ -36,11 +36,11 @@ FACET_COLUMNS = ("contact pressure", "contact friction.x", "contact friction.y",
 """Means over facets."""
 CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3)
 ABOUT = """\
-Cartilage on cartilage, pressed and slid: a section of a joint with friction that depends on what the fluid bears.
+Cartilage is pressed on cartilage and slides: friction in this section of a joint depends on the load of the fluid.
 
-Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by 0.08 mm
-in 2 s, rests until 60 s, while the fluid leaves the contact at its edges first, and slides by 0.06 mm in 12 s.
-Friction (mu_eq = 0.2, phi = 0.1) acts on what the solid bears: slip begins at the edges and moves inwards, until all
+Two layers of 1 mm lie on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
+0.08 mm in 2 s, rests until 60 s, while the fluid leaves the contact at its edges first, and slides by 0.06 mm in 12 s.
+Friction (mu_eq = 0.2, phi = 0.1) acts on the load of the solid: slip begins at the edges and moves inwards, until all
 of the contact slides."""
 
 

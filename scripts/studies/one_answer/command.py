@@ -27,7 +27,7 @@ console = Console(highlight=False, soft_wrap=True)
 def one_answer(
     only: Annotated[list[str] | None, typer.Option(help="This scene alone, by its name; may be repeated.")] = None,
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = 600.0,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "one-answer",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "one-answer",
     jobs: Annotated[int, typer.Option(min=1, help="Scenes at a time.")] = sanitized.processors(),
 ) -> None:
     """Solve porous scenes with an edge of contact in all ways: methods, threads, restarts, cutbacks, enforcement.

@@ -61,7 +61,13 @@ def interface() -> Figure:
     _gap(axes)
     axes.text(-3.9, -1.85, "primary body 1", fontsize=9)
     axes.text(-3.9, 2.7, "secondary body 2", fontsize=9)
-    axes.text(-3.95, 0.28, "open: ambient fluid,\n$\\tilde p^*$, $\\tilde c^*$", fontsize=8.5, va="center")
+    axes.annotate(
+        "open: ambient fluid,\n$\\tilde p^*$, $\\tilde c^*$",
+        (-3.2, 0.25),
+        (-3.9, -0.85),
+        fontsize=8.5,
+        arrowprops=ARROW,
+    )
     axes.text(3.75, -0.3, r"$\gamma_1$", fontsize=10)
     axes.text(3.75, 1.42, r"$\gamma_2$", fontsize=10)
     axes.set_axis_off()

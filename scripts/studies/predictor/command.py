@@ -26,7 +26,7 @@ console = Console(highlight=False, soft_wrap=True)
 def predictor(
     only: Annotated[list[str] | None, typer.Option(help="Models whose names hold this; may be repeated.")] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="Hard cases on this mesh alone.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "predictor",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "predictor",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,

@@ -31,7 +31,7 @@ def _missing(measured: set[str]) -> str:
     whole = len(fine) == len(CASES)
     named = [f"`{name}`" for name in lacking if not (whole and name in fine)]
     told = [*named, *(["hard cases on the fine mesh"] if whole else [])]
-    return f"Not in these data: {', '.join(told)}." if told else "These are all."
+    return f"These data leave out: {', '.join(told)}." if told else "These are all."
 
 
 PAGE = EvidencePage("evidence/predictor.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

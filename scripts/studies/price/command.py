@@ -42,7 +42,7 @@ def price(
     logs: Annotated[list[Path] | None, typer.Argument(help="Logs of runs: draw their times, and run nothing.")] = None,
     only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
     repetitions: Annotated[int, typer.Option(min=1, help="How often runs that are compared are repeated.")] = 3,
-    folder: Annotated[Path, typer.Option(help="Where tables and pictures go.")] = RESULTS / "price",
+    folder: Annotated[Path, typer.Option(help="Write tables and pictures to this folder.")] = RESULTS / "price",
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Measure the timings of the contact, or draw the times that it wrote into the logs of runs.

@@ -89,7 +89,8 @@ def headline(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
         "FEBio's matrix is non-symmetric in the comparison. With the default of the module `solid`, a symmetric "
         f"matrix, FEBio's interface completes {len(ended)} of the {len(default)} joints without a fluid. It takes "
         f"{min(iterations):.2f} to {max(iterations):.2f} times the iterations and {min(times):.2f} to {max(times):.2f} "
-        f"times the time of the non-symmetric matrix, and is then faster than `sliding-mixture` on {faster}."
+        f"times the time of the non-symmetric matrix, and is then faster than `sliding-mixture` in "
+        f"{faster or 'none'} of them."
     )
 
 

@@ -179,7 +179,8 @@ def headline(joints: Sequence[Joint]) -> str:
     return (
         f"`sliding-mixture` and FEBio's interface both complete {len(ended)} of {len(joints)} scenes, mostly joints of "
         f"tetrahedra. `sliding-mixture` takes {min(iterations):.2f} to {max(iterations):.2f} times FEBio's iterations "
-        f"and {min(times):.2f} to {max(times):.2f} times its time; FEBio's is faster on {slower} of them."
+        f"and {min(times):.2f} to {max(times):.2f} times its time. FEBio's interface is faster in "
+        f"{slower or 'none'} of them."
     )
 
 

@@ -138,11 +138,6 @@ class Price:
     unknowns: int
     entries: int
 
-    @property
-    def per_iteration(self) -> float:
-        """Time of the contact per Newton iteration, s."""
-        return self.contact / self.iterations
-
 
 def compared(scene: Scene) -> dict[tuple[str, float], Scene]:
     """The scene with each contact that is compared, by its type and penalty factor; the conforming reference first."""

@@ -98,12 +98,6 @@ class Scene:
         fixed = "-fixed" if self.fixed else ""
         return f"{self.kind.value}{solutes}{fixed}-{self.contact}-{self.section}x{self.through}"
 
-    @property
-    def degrees_of_freedom(self) -> int:
-        """Those of all nodes of the two blocks."""
-        nodes = 2 * (self.section + 1) ** 2 * (self.through + 1)
-        return nodes * (3 + (self.kind is not Kind.ELASTIC) + self.solutes)
-
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()

@@ -29,7 +29,7 @@ def robustness(
     quick: Annotated[bool, typer.Option("--quick", help="A few models and steps: less than three minutes.")] = False,
     steps: Annotated[int | None, typer.Option(min=0, help="Time steps of each run; 0: all that the model has.")] = None,
     timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = 600.0,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "robustness",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "robustness",
     jobs: Annotated[int, typer.Option(min=1, help="Models at a time.")] = sanitized.processors(),
 ) -> None:
     """Run models with a sanitized plugin: as they are, with two threads, restarted, cut back, by other solvers.

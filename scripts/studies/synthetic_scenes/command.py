@@ -25,10 +25,12 @@ console = Console(highlight=False, soft_wrap=True)
 def synthetic_scenes(
     collection: Annotated[Collection, typer.Option(help="Which scenes.")] = Collection.BLOCKS,
     only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
-    folder: Annotated[Path, typer.Option(help="Where results go.")] = RESULTS / "synthetic-scenes",
+    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "synthetic-scenes",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
-    plugin: Annotated[Path | None, typer.Option(help=f"The plugin; ${PLUGIN_VARIABLE} or that of the build.")] = None,
+    plugin: Annotated[
+        Path | None, typer.Option(help=f"Load this plugin, not ${PLUGIN_VARIABLE} or that of the build.")
+    ] = None,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run each scene with FEBio's interface, converted, and with the penalties deleted.

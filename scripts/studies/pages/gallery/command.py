@@ -12,18 +12,17 @@ from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import stamps
-from studies.pages.gallery import entries, figures, friction, page
+from studies.pages.gallery import cycle, entries, figures, friction, page
 
-COVER, COVER_PICTURE = "joint-release", "images/joint-readme.png"
-"""The model whose picture stands in README."""
 console = Console(highlight=False, soft_wrap=True)
 
 
 def gallery(
     only: Annotated[list[str] | None, typer.Option(help="Run this model alone; may be repeated.")] = None,
     small: Annotated[bool, typer.Option(help="Fewer elements and steps, in a minute.")] = False,
-    folder: Annotated[Path, typer.Option(help="Where page, numbers and pictures go; `docs` for the site.")] = RESULTS
-    / "gallery",
+    folder: Annotated[
+        Path, typer.Option(help="Write page, numbers and pictures to this folder; `docs` for the site.")
+    ] = RESULTS / "gallery",
 ) -> None:
     """Run the models that one would start from, and write their page with pictures, curves and run times.
 
@@ -36,9 +35,10 @@ def gallery(
     for name in names:
         entry = known[name]
         result = runner(entry.small if small else entry.model)
-        figures.draw(entry, result, entries.curves(entry, result), folder / page.IMAGES)
-        if name == COVER and not small:
-            figures.draw_cover(entry, result, folder / COVER_PICTURE)
+        curves = entries.curves(entry, result)
+        figures.draw(entry, result, curves, folder / page.IMAGES)
+        if name == cycle.MODEL and not small:
+            cycle.draw(entry, result, curves, folder / page.IMAGES / cycle.PICTURE)
         records[name] = page.record(result)
         taken = records[name]
         console.print(f"{name}: {taken.steps} steps, {taken.iterations} iterations, {taken.cpu:g} s", markup=False)

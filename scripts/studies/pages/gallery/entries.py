@@ -84,7 +84,7 @@ def entries() -> tuple[Entry, ...]:
 def _diffusion() -> Entry:
     return Entry(
         "Diffusion through two layers (problem 3.1)",
-        "Two tissues on each other and a solution on one side: change layers, materials and concentration.",
+        "A solute diffuses from a solution through two tissues. Change layers, materials and concentration.",
         diffusion.Diffusion(plot=True).model(),
         diffusion.Diffusion(elements=5, control=Control(10, 200.0)).model(),
         UPRIGHT,
@@ -95,7 +95,7 @@ def _diffusion() -> Entry:
 def _convection() -> Entry:
     return Entry(
         "Convection through two layers (problem 3.2)",
-        "Permeation: a pressure difference drives solvent and solute through two layers, to the steady state.",
+        "A pressure difference drives solvent and solute through two layers, to the steady state.",
         convection.Convection(plot=True).model(),
         convection.Convection(elements=5, control=Control(10, 500.0)).model(),
         UPRIGHT,
@@ -107,7 +107,8 @@ def _indentation() -> Entry:
     short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
     return Entry(
         "A semi-cylinder driven into a slab (problem 3.3)",
-        "Large deformation and a contact that grows: indenters, condyles; open nodes have the ambient values.",
+        "Start here for indenters and condyles: bodies deform much, and contact grows. Open nodes have the ambient "
+        "values.",
         kept_models.INDENTATION.model(),
         replace(kept_models.INDENTATION, plot=False, grid=LEVELS[0], control=short).model(),
         Section(mirrored=True),
@@ -119,7 +120,7 @@ def _indentation() -> Entry:
 def _joint() -> Entry:
     return Entry(
         "Cartilage on cartilage under cyclic load",
-        "This is a section of a joint in synovial fluid. Change the curvature, the loading curve, and the solute.",
+        "The layers of a joint take up solute from the synovial fluid. Change curvature, loading curve and solute.",
         kept_models.JOINT.model(),
         joint.Joint(cycles=1, across=10, through=4).model(),
         Section(mirrored=True),
@@ -154,8 +155,8 @@ def _graft() -> Entry:
 def _platens() -> Entry:
     return Entry(
         "A permeable platen against an impermeable one",
-        "Confined compression and permeation cells: one contact passes everything, the other traction alone, "
-        "because of the materials behind them.",
+        "Start here for confined compression and permeation cells. The materials decide that one contact passes "
+        "everything, and the other traction alone.",
         kept_models.PLATENS.model(),
         platens.Platens(elements=5, control=Control(10, 100.0)).model(),
         UPRIGHT,

@@ -21,7 +21,7 @@ from studies.pages.gallery.entries import Curves, Entry
 Array = NDArray[np.float64]
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 STYLES = ("-", "--", ":")
-"""Of lines, so that grey tells them apart, too."""
+"""Of lines, so that they differ in grey, too."""
 DPI = 110
 BOX = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
 """Behind names, so that they are read on every colour, and in grey."""
@@ -66,31 +66,6 @@ def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
     return path
 
 
-def draw_cover(entry: Entry, result: RunResult, path: Path) -> Path:
-    """The picture of README: the joint after its first cycle and at its end, with names and scale."""
-    history = result.nodes
-    figure = Figure(figsize=(9.0, 2.1), layout="constrained", facecolor="white")
-    places = figure.subplots(1, 2, sharey=True)
-    drawn = None
-    for axes, time in zip(places, (entry.times[0], entry.times[-1]), strict=True):
-        state = history.at(time)
-        positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
-        drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, history["c1"][state])
-        axes.set_title(f"after {time:g} s", fontsize=10)
-        axes.set_ylim(-1.6, 1.7)
-    _name(places[0], "upper cartilage, 1 mM at first", (0.0, 0.65))
-    _name(places[0], "lower cartilage", (0.0, -0.5))
-    _name(places[0], "synovial fluid\n(0 mM)", (-6.3, 0.55), (-4.1, 0.12))
-    _name(places[1], "crosses the contact", (0.0, -0.85))
-    places[1].annotate("", (0.0, -0.6), (0.0, 0.4), arrowprops={"arrowstyle": "->", "color": "white"})
-    places[1].plot([2.5, 4.5], [-1.25, -1.25], "k-", linewidth=2.0)
-    places[1].text(2.3, -1.25, "2 mm", ha="right", va="center", fontsize=8)
-    if drawn is not None:
-        figure.colorbar(drawn, ax=places.tolist(), label="solute [mM]", shrink=0.9)
-    figure.savefig(path, dpi=DPI)
-    return path
-
-
 def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
     """The name of each part at its middle."""
     for part in mesh.parts:
@@ -116,14 +91,6 @@ def _scale(axes: Axes) -> None:
     axes.plot([right - length, right], [level, level], "k-", linewidth=1.8, solid_capstyle="butt")
     axes.text(right - 0.5 * length, level - 0.02 * (high - low), f"{length:g} mm", fontsize=7, ha="center", va="top")
     axes.set_ylim(low - 0.16 * (high - low), high)
-
-
-def _name(axes: Axes, text: str, at: tuple[float, float], of: tuple[float, float] | None = None) -> None:
-    """A name in the picture, with an arrow to what it is of where it stands beside it."""
-    arrow = {"arrowstyle": "->", "linewidth": 0.8} if of else None
-    axes.annotate(
-        text, of or at, xytext=at, ha="center", va="center", fontsize=8, arrowprops=arrow, bbox=None if of else BOX
-    )
 
 
 def _without_solute(model: Model) -> NDArray[np.bool_]:

@@ -12,7 +12,7 @@ from harness.errors import DataFileError
 from harness.models.document import Model
 from harness.run.runner import RunResult
 from studies import tables
-from studies.pages.gallery import entries, friction
+from studies.pages.gallery import cycle, entries, friction
 from studies.pages.gallery.entries import Entry
 from studies.pages.texts import page_text
 from studies.stamps import Stamp
@@ -122,11 +122,13 @@ def _anchor(title: str) -> str:
 
 def _section(entry: Entry) -> str:
     name = entry.model.name
-    first_paragraph = _about(entry.model).split("\n\n")[0]
+    pictures = {f"{name}-section.png": "Effective concentration over the deformed bodies"}
+    if name == cycle.MODEL:
+        pictures[cycle.PICTURE] = cycle.TITLE
+    pictures[f"{name}-curves.png"] = _curves(entry)
+    shown = "\n\n".join(f"![{alt}]({IMAGES}/{picture})" for picture, alt in pictures.items())
     return f"""\
 ## {entry.title}
-
-{first_paragraph}
 
 {entry.start_here}
 
@@ -134,9 +136,7 @@ def _section(entry: Entry) -> str:
 scripts/mixcontact run models/{name}.feb
 ```
 
-![Effective concentration over the deformed bodies]({IMAGES}/{name}-section.png)
-
-![{_curves(entry)}]({IMAGES}/{name}-curves.png)"""
+{shown}"""
 
 
 def _friction() -> str:
