@@ -86,11 +86,21 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   }
   if (counts && waits(before, updated)) updated = before;
   ContactStatus status{updated, updated};
+  if (counts) count(before, updated);
   for (Index node = 0; node < updated.count(); ++node) {
-    if (counts && updated[node] != before[node]) ++changes_[node];
     if (changes_[node] > options_.most_status_changes) status.flux_coupled[node] = false;
   }
   return status;
+}
+
+void ActiveSet::count(const NodeFlags& before, const NodeFlags& status) {
+  bool is_first_of_any = false;
+  for (Index node = 0; node < status.count(); ++node) {
+    if (status[node] == before[node]) continue;
+    is_first_of_any = changes_[node]++ == 0 || is_first_of_any;
+    ++repeated_changes_[node];
+  }
+  if (is_first_of_any) repeated_changes_.fill(laws_.nodes(), 0);
 }
 
 bool ActiveSet::waits(const NodeFlags& before, const NodeFlags& updated) {
@@ -104,15 +114,19 @@ bool ActiveSet::was_at_edge(Index node) const {
 bool ActiveSet::reconsiders_edge(const NodalLoads& solution) {
   bool any_new = false;
   for (Index node = 0; node < laws_.nodes(); ++node) {
-    any_new = any_new || (solution.in_contact[node] && !solution.flux_coupled[node] && !was_at_edge(node));
+    const bool at_edge = solution.in_contact[node] && !solution.flux_coupled[node];
+    const bool cycles = repeated_changes_[node] >= options_.most_status_changes;
+    any_new = any_new || (at_edge && !cycles && !was_at_edge(node));
   }
   if (!any_new || std::exchange(has_reconsidered_, true)) return false;
   changes_.fill(laws_.nodes(), 0);
+  repeated_changes_.fill(laws_.nodes(), 0);
   return true;
 }
 
 void ActiveSet::start_counting() {
   changes_.fill(laws_.nodes(), 0);
+  repeated_changes_.fill(laws_.nodes(), 0);
   has_waited_ = has_reconsidered_ = false;
   if (laws_.effects().has_friction()) slip_changes_.fill(laws_.nodes(), 0);
 }

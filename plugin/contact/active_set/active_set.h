@@ -69,10 +69,10 @@ struct ActiveSetOptions {
 /// A node whose status keeps changing is at the edge of contact: flux-coupled it opens, at the ambient pressure it
 /// closes. There traction and pressure both tend to those of the ambient, so it is in contact but not flux-coupled from
 /// then on. Iterations far from a solution may change nodes as often: at a solution those at the edge are tried once
-/// more. Nodes may keep changing together, closed pulled and open overlapping: the first alone of those that cycle then
-/// changes in each iteration. Each node changes a bounded number of times with others; from then on the rule is the
-/// least index rule (Murty 1974, Opsearch 11:123-130), which ends where each load grows with its own gap however the
-/// others are held: a P matrix.
+/// more, unless they have cycled alone. Nodes may keep changing together, closed pulled and open overlapping: the first
+/// alone of those that cycle then changes in each iteration. Each node changes a bounded number of times with others;
+/// from then on the rule is the least index rule (Murty 1974, Opsearch 11:123-130), which ends where each load grows
+/// with its own gap however the others are held: a P matrix.
 class ActiveSet {
  public:
   /// Keeps a reference to the laws.
@@ -109,9 +109,9 @@ class ActiveSet {
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
   /// Whether a solution has nodes at the edge of contact that have to be tried once more: they were put there for how
-  /// often they had changed, while others changed as well. All changes are forgotten, so that the next iteration has
-  /// them flux-coupled. Nodes that were at the edge in the last accepted step, too, stay out. Once at most from where
-  /// iterations begin.
+  /// often they had changed while other nodes changed for the first time. All changes are forgotten, so that the next
+  /// iteration has them flux-coupled. Nodes stay out that changed most_status_changes times after the last first change
+  /// of any node, or that were at the edge in the last accepted step. Once at most from where iterations begin.
   bool reconsiders_edge(const NodalLoads& solution);
 
   /// Nodes in contact that slide where iterations begin.
@@ -134,7 +134,9 @@ class ActiveSet {
   /// The positive bound of loads of the last iteration that stays at another state within a step.
   NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;
 
-  std::size_t memory() const { return (changes_.capacity() + slip_changes_.capacity()) * sizeof(int); }
+  std::size_t memory() const {
+    return (changes_.capacity() + repeated_changes_.capacity() + slip_changes_.capacity()) * sizeof(int);
+  }
 
  private:
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
@@ -152,6 +154,8 @@ class ActiveSet {
   bool turns_round(const NodalLoads& predicted, Index node) const;
   /// Whether a node was in contact and not flux-coupled in the last accepted step.
   bool was_at_edge(Index node) const;
+  /// Counts the changes of an iteration.
+  void count(const NodeFlags& before, const NodeFlags& status);
   /// Whether all nodes in contact between rigid bodies would open, for the first time in a step.
   bool waits(const NodeFlags& before, const NodeFlags& updated);
   /// Whether a node that is not in contact comes into it.
@@ -163,6 +167,7 @@ class ActiveSet {
   bool has_waited_ = false;               ///< since the iterations began
   bool has_reconsidered_ = false;         ///< since the iterations began
   IndexedVector<int> changes_;            ///< of each node's status since the iterations began
+  IndexedVector<int> repeated_changes_;   ///< those after the last iteration with a first change of any node
   IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
 };
 

@@ -105,29 +105,56 @@ BOOST_AUTO_TEST_CASE(nodes_that_keep_changing_carry_load_but_are_not_flux_couple
   BOOST_TEST(output(*approach.contact, approach.scene.fields).balance.area > 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_solution_has_new_nodes_at_the_edge_tried_once_more) {
-  Approach approach(0.125);
-  ContactInterface& contact = *approach.contact;
-  const PerSide<SurfaceFields>& fields = approach.scene.fields;
-  const auto come_and_go = [&] {
-    for (int change = 0; change <= ActiveSetOptions().most_status_changes; ++change)
-      approach.move_to(change % 2 == 0 ? -0.125 : 0.125);
-  };
-  BOOST_TEST(!reconsiders_edge(contact, fields));
-  come_and_go();
-  BOOST_TEST(approach.flux_coupled() == 0);
-  BOOST_TEST(reconsiders_edge(contact, fields));
-  approach.move_to(0.125);
-  BOOST_TEST(approach.flux_coupled() == all);
-  come_and_go();
-  BOOST_TEST(approach.flux_coupled() == 0);
-  BOOST_TEST(!reconsiders_edge(contact, fields));
-  // A step that finds them where the last one has left them does not try again.
-  contact.accept_step(fields);
-  BOOST_TEST(approach.closed_where_a_step_begins() == all);
-  come_and_go();
-  BOOST_TEST(approach.flux_coupled() == 0);
-  BOOST_TEST(!reconsiders_edge(contact, fields));
+namespace {
+
+/// An active set in which node 0 comes and goes until it is at the edge, and node 1 comes in the last of these changes.
+struct Edge {
+  Approach approach{0.125};
+  ActiveSet active_set{approach.contact->pass(0).laws()};
+  NodalLoads solution;
+
+  Edge() { active_set.start_counting(); }
+
+  /// Returns whether node 0 is flux-coupled at the end.
+  bool come_and_go(bool with_another) {
+    NodeFlags before(all, true);
+    ContactStatus status;
+    for (int change = 0; change <= ActiveSetOptions().most_status_changes; ++change) {
+      NodeFlags updated = before;
+      updated[0] = change % 2 == 1;
+      if (with_another && change == ActiveSetOptions().most_status_changes) updated[1] = false;
+      status = active_set.next(before, updated, true);
+      before = updated;
+    }
+    solution.in_contact = status.in_contact;
+    solution.flux_coupled = status.flux_coupled;
+    return status.flux_coupled[0];
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_solution_has_nodes_tried_once_more_that_came_to_the_edge_while_others_changed) {
+  Edge edge;
+  BOOST_TEST(!edge.come_and_go(true));
+  BOOST_TEST(edge.active_set.reconsiders_edge(edge.solution));
+  BOOST_TEST(!edge.come_and_go(true));
+  BOOST_TEST(!edge.active_set.reconsiders_edge(edge.solution));
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_have_cycled_alone_stay_at_the_edge) {
+  Edge edge;
+  BOOST_TEST(!edge.come_and_go(false));
+  BOOST_TEST(!edge.active_set.reconsiders_edge(edge.solution));
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_were_at_the_edge_in_the_last_accepted_step_stay_there) {
+  Edge edge;
+  Multipliers& last = edge.approach.contact->pass(0).laws().multipliers;
+  last.accepted_traction.setConstant(-1);
+  last.flux_coupled = NodeFlags(all, false);
+  BOOST_TEST(!edge.come_and_go(true));
+  BOOST_TEST(!edge.active_set.reconsiders_edge(edge.solution));
 }
 
 BOOST_AUTO_TEST_CASE(nodes_that_change_together_too_often_change_one_at_a_time) {
