@@ -307,6 +307,7 @@ void FEMixtureSurface::Serialize(DumpStream& ar) {
   archive(ar, nodal_.breaking.energy);
   archive(ar, nodal_.breaking.broken_at);
   archive(ar, total_.bonds.dissipated);
+  archive(ar, total_.bonds.viscous);
   archive(ar, total_.bonds.stored);
   archive(ar, total_.bonds.broken_area);
   archive(ar, exchanged_);

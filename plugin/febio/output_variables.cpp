@@ -370,6 +370,7 @@ void register_output_variables() {
   offer<FELogMeanOfNodes<of_bonds<&BreakingOutput::opening>>>("contact opening");
   offer<FELogMeanOfNodes<of_bonds<&BreakingOutput::energy>>>("contact fracture energy");
   offer<FELogBonds<&mixture_contact::BondEnergy::dissipated>>("fracture energy");
+  offer<FELogBonds<&mixture_contact::BondEnergy::viscous>>("viscous energy");
   offer<FELogBonds<&mixture_contact::BondEnergy::stored>>("bond energy");
   offer<FELogBonds<&mixture_contact::BondEnergy::broken_area>>("broken area");
   offer<FELogFrictionForce<0>>("friction_force.x");

@@ -75,5 +75,7 @@ void archive_state(DumpStream& ar, TieState& state) {
   ar & state.traction_penalty_scale;
   archive(ar, state.damage.damage);
   archive(ar, state.damage.energy);
+  archive(ar, state.damage.viscous);
+  archive(ar, state.damage.opening);
   archive(ar, state.damage.broken_at);
 }

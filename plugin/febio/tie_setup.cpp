@@ -83,7 +83,7 @@ std::unique_ptr<Tie> TieSetup::build() const {
                "<flip_primary> or <flip_secondary> where normals point into a body.");
     return nullptr;
   }
-  auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes), breaking_law(parameters_.breaking));
+  auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes), breaking());
   tie->set_laws(chosen);
   if (!tie->penalties().traction.allFinite()) {
     log_.error(
@@ -124,8 +124,10 @@ Matrix3Xd TieSetup::relocated(const Tie& tie) const {
 }
 
 Settings TieSetup::settings() const {
-  return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_), breaking_law(parameters_.breaking));
+  return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_), breaking());
 }
+
+BreakingLaw TieSetup::breaking() const { return breaking_law(parameters_.breaking, fem_.GetTime().timeIncrement); }
 
 bool TieSetup::update(Tie& tie) const {
   const std::vector<std::string> wrong = tie_complaints(parameters_);
@@ -134,6 +136,6 @@ bool TieSetup::update(Tie& tie) const {
   if (reads_properties_again(parameters_, tie.effects())) {
     if (const auto found = materials()) tie.set_meshes(meshes(*found, tie.effects()));
   }
-  tie.set_laws(settings());
+  tie.set_laws(settings(), breaking());
   return can_break(tie);
 }

@@ -29,6 +29,8 @@ class TieSetup {
   /// whether all values make sense; the log says which do not.
   bool update(mixture_contact::Tie& tie) const;
   mixture_contact::Settings settings() const;
+  /// How the tie breaks in the present step.
+  mixture_contact::BreakingLaw breaking() const;
 
  private:
   std::optional<FacetMaterials> materials() const;

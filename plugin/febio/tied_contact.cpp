@@ -233,7 +233,7 @@ void FEMixtureTie::serialize_model(DumpStream& ar) {
   bool is_built = tie_ != nullptr;
   ar & is_built;
   if (!is_built) return;
-  archive_tie(ar, tie_, breaking_law(parameters_.breaking));
+  archive_tie(ar, tie_, setup_.breaking());
   // FEBio reads its steps and solvers later; PrepStep() follows those.
   if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0, tie_->breaking()));
 }

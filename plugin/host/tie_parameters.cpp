@@ -21,15 +21,16 @@ bool is_parameter_of_broken_nodes(const ParameterTag& tag) {
   return tag.group == ParameterGroup::friction || tag.group == ParameterGroup::ambient;
 }
 
-mixture_contact::BreakingLaw breaking_law(const BreakingParameters& p) {
+mixture_contact::BreakingLaw breaking_law(const BreakingParameters& p, double time_step) {
   using namespace mixture_contact;
   if (!p.max_traction.given) return Unbreakable();
   const auto by_mode = [](const Given<double>& normal, const Given<double>& shear) {
     return ByMode{normal.value, shear.given ? shear.value : normal.value};
   };
-  const Strength strength{by_mode(p.max_traction, p.max_shear), p.mixing.value};
+  const ByMode strength = by_mode(p.max_traction, p.max_shear);
   if (!p.fracture_energy.given) return Brittle{strength};
-  return Cohesive{strength, by_mode(p.fracture_energy, p.fracture_energy_shear)};
+  const double pace = p.viscosity.value > 0 && time_step > 0 ? time_step / (time_step + p.viscosity.value) : 1.0;
+  return Cohesive{{strength, p.mixing.value}, by_mode(p.fracture_energy, p.fracture_energy_shear), pace};
 }
 
 namespace {
@@ -45,6 +46,7 @@ void complain_of_values(std::vector<std::string>& list, const BreakingParameters
   require("fracture_energy", p.fracture_energy, 0, "a positive number");
   require("fracture_energy_shear", p.fracture_energy_shear, 0, "a positive number");
   require("mixing", p.mixing, 1, "a number of at least 1");
+  require("viscosity", p.viscosity, 0, "a positive number");
 }
 
 void complain_of_lacking(std::vector<std::string>& list, const BreakingParameters& p) {
@@ -55,7 +57,8 @@ void complain_of_lacking(std::vector<std::string>& list, const BreakingParameter
   require(p.max_shear.given, "max_shear", may_break, "max_traction");
   require(p.fracture_energy.given, "fracture_energy", may_break, "max_traction");
   require(p.fracture_energy_shear.given, "fracture_energy_shear", p.fracture_energy.given, "fracture_energy");
-  require(p.mixing.given, "mixing", may_break, "max_traction");
+  require(p.mixing.given, "mixing", p.fracture_energy.given, "fracture_energy");
+  require(p.viscosity.given, "viscosity", p.fracture_energy.given, "fracture_energy");
 }
 
 /// Values of the sliding contact of broken nodes where none can break.

@@ -17,6 +17,7 @@ struct BreakingParameters {
   Given<double> fracture_energy;        ///< G_n [N/mm]
   Given<double> fracture_energy_shear;  ///< G_s [N/mm]; by default G_n
   Given<double> mixing{2};              ///< eta [-]
+  Given<double> viscosity;              ///< tau, by which damage lags behind the opening [s]
 };
 
 /// The parameters of a tie. Those of friction and of the ambient are of the sliding contact of nodes that have broken.
@@ -39,6 +40,7 @@ void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
   take_given({"fracture_energy", "fracture energy in tension", Group::breaking}, p.fracture_energy);
   take_given({"fracture_energy_shear", "fracture energy in shear", Group::breaking}, p.fracture_energy_shear);
   take_given({"mixing", "exponent of mixed modes", Group::breaking}, p.mixing);
+  take_given({"viscosity", "time constant of damage", Group::breaking}, p.viscosity);
 }
 
 /// Calls take(tag, value) for each parameter of a tie that lasts for ever.
@@ -61,8 +63,8 @@ void for_each_tie_parameter(TieParameters& parameters, const Take& take) {
   for_each_breaking_parameter(parameters.breaking, take);
 }
 
-/// How the tie breaks.
-mixture_contact::BreakingLaw breaking_law(const BreakingParameters& parameters);
+/// How the tie breaks in a step of this length [s].
+mixture_contact::BreakingLaw breaking_law(const BreakingParameters& parameters, double time_step);
 
 /// The faults of the parameters, those of breaking among them: a sentence each.
 std::vector<std::string> tie_complaints(const TieParameters& parameters);

@@ -268,7 +268,6 @@ REFUSED = {
         "takes it for a solid without fluid",
     ),
     "nothing to convert": (text(interface=InterfaceType.MIXTURE), "has nothing to convert"),
-    "sticky contact": (in_module(BIPHASIC, "sticky"), "no sliding contact"),
     "an unknown parameter": (text(Param("penlaty", 2.0)), "no parameter <penlaty>"),
     "a load curve of a radius": (
         with_curve(text(Param("search_radius", 2.0)), "search_radius"),

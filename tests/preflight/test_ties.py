@@ -14,7 +14,7 @@ from harness.conversion.tied_contacts import DROPPED
 from harness.errors import ModelError
 from harness.preflight.check import check
 from harness.preflight.finding import Severity
-from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, TIED_TYPES
+from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, STICKY, TIED_TYPES
 from studies.models.small import Document, biphasic, contact, elastic, fixed, rigid
 
 
@@ -130,7 +130,8 @@ def test_every_parameter_has_a_fate(path, kind):
     _, changes = converted(path, joint(params, kind=kind))
     assert TIED_TYPES[kind].parameters <= set(changes)
     dropped = {name for name, change in changes.items() if change.action is Action.DROPPED}
-    assert dropped == DROPPED.keys() & TIED_TYPES[kind].parameters
+    own = {"flip_secondary"} if kind == STICKY else set()
+    assert dropped == (DROPPED.keys() & TIED_TYPES[kind].parameters) | own
 
 
 def test_negative_tolerances_are_none(path):
@@ -151,7 +152,7 @@ def test_a_search_without_limit_stays_one(path):
     assert "<search_radius>0.22</search_radius>" in new
 
 
-@pytest.mark.parametrize("kind", ANY_DISTANCE)
+@pytest.mark.parametrize("kind", [kind for kind in ANY_DISTANCE if kind != STICKY])
 def test_a_gap_that_the_type_would_close_under_stress_is_named_and_kept(path, kind):
     new, changes = converted(path, joint(kind=kind, gap=0.02))
     assert "up to 0.02 apart" in changes["gap"].reason
@@ -196,15 +197,42 @@ def test_a_gap_that_nodes_close_without_stress_stays_so(path):
     assert "<node_reloc>1</node_reloc>" in new
 
 
-def test_sticky_is_no_tie(path):
-    document = joint(kind="sticky")
+def test_sticky_stays_where_nodes_come_to_touch_in_the_run(path):
+    document = joint(kind="sticky", gap=0.05)
     path.write_text(document.text())
-    with pytest.raises(ModelError, match="sticky catches nodes"):
+    with pytest.raises(ModelError, match="sticky ties nodes when they come to touch"):
         convert(path)
     both = replace(document, contacts=(*document.contacts, contact("other", "pair", "tied-elastic")))
     new, changes = converted(path, both)
-    assert changes["type"].reason.startswith("stays: sticky catches nodes")
+    assert changes["type"].reason.startswith("stays: sticky ties nodes when")
     assert 'type="sticky"' in new
+
+
+@pytest.mark.parametrize("reach", ["snap_tol", "gap_offset"])
+def test_sticky_that_reaches_over_its_gap_becomes_a_tie(path, reach):
+    new, _ = converted(path, joint(f"<{reach}>0.05001</{reach}>", kind="sticky", gap=0.05))
+    assert 'type="tied-mixture"' in new
+    assert "<search_radius>0.055</search_radius>" in new
+
+
+def test_sticky_breaks_by_tension_alone(path):
+    new, changes = converted(path, joint("<max_traction>0.5</max_traction>", kind="sticky"))
+    assert "<max_traction>0.5</max_traction>" in new
+    assert "<max_shear>500000</max_shear>" in new
+    assert "slide where they touch again" in changes["max_traction"].reason
+    new, changes = converted(path, joint("<max_traction>0</max_traction>", kind="sticky"))
+    assert "max_traction" not in new
+    assert changes["max_traction"].action is Action.DROPPED
+
+
+def test_sticky_of_a_later_step_stays(path):
+    document = joint(kind="sticky")
+    steps = "".join(f"<step id='{n}'>{inner}</step>" for n, inner in ((1, ""), (2, "".join(document.contacts))))
+    text = replace(document, contacts=()).text().replace("<Output>", f"<Step>{steps}</Step><Output>")
+    text = text.replace(document.contacts[0], f"<Contact>{document.contacts[0]}</Contact>")
+    path.write_text(text)
+    with pytest.raises(ModelError, match="later analysis step"):
+        convert(path)
 
 
 @pytest.mark.parametrize("kind", CONVERTIBLE_TIES)

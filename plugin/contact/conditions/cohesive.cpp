@@ -40,43 +40,58 @@ Opening opening_of(const Vector3d& gap, const Vector3d& normal) {
   return found;
 }
 
-/// Where damage begins and ends, o and f, with their derivatives with B.
-struct Range {
-  double begin;
-  double end;
-  double d_begin;
-  double d_end;
+/// A length that depends on the mode, with its derivative with B.
+struct ByPart {
+  double value;
+  double d_mode;
+};
 
-  /// lambda at a damage that grows.
-  double opening(double damage) const { return begin * end / (end - damage * (end - begin)); }
+/// Where damage begins and ends, o and f.
+struct Range {
+  ByPart begin;
+  ByPart end;
+
+  /// The opening at which damage has grown to a value.
+  ByPart opening(double damage) const {
+    const double left = end.value - damage * (end.value - begin.value);
+    const double d_left = end.d_mode - damage * (end.d_mode - begin.d_mode);
+    const double found = begin.value * end.value / left;
+    return {found, (begin.d_mode * end.value + begin.value * end.d_mode - found * d_left) / left};
+  }
 };
 
 Range range_of(const Cohesive& law, double penalty, double mode) {
   const double power = law.strength.power(mode);
   const double d_power = law.strength.d_power(mode);
   const ByMode& limit = law.strength.traction;
-  Range range{};
-  range.begin = std::sqrt(law.strength.square(power)) / penalty;
-  range.end = 2 * law.energy.at(power) / (penalty * range.begin);
+  const double begin = std::sqrt(law.strength.square(power)) / penalty;
   const double d_square = (limit.shear * limit.shear - limit.normal * limit.normal) * d_power;
-  range.d_begin = d_square / (2 * penalty * penalty * range.begin);
-  range.d_end = 2 * (law.energy.shear - law.energy.normal) * d_power / (penalty * range.begin) -
-                range.end / range.begin * range.d_begin;
-  return range;
+  const double d_begin = d_square / (2 * penalty * penalty * begin);
+  const double end = 2 * law.energy.at(power) / (penalty * begin);
+  const double d_end = 2 * (law.energy.shear - law.energy.normal) * d_power / (penalty * begin) - end / begin * d_begin;
+  return {{begin, d_begin}, {end, d_end}};
 }
 
-/// d at an opening that has not been larger.
-Derived growing_damage(const Range& range, const Opening& opening) {
-  const double size = opening.size;
-  if (size <= range.begin) return {0, BondGradient::Zero()};
-  if (size >= range.end) return {1, BondGradient::Zero()};
-  const double softening = range.end - range.begin;
-  const double d_size = range.begin * range.end / (size * size * softening);
-  const double by_begin = range.end * (size - range.end) / (size * softening * softening);
-  const double by_end = range.begin * (range.begin - size) / (size * softening * softening);
-  const double d_mode = by_begin * range.d_begin + by_end * range.d_end;
-  return {range.end * (size - range.begin) / (size * softening),
-          (d_size / size) * opening.half_square + d_mode * opening.mode.derivative};
+/// The opening that damage follows, r; see Cohesive::pace.
+Derived followed(const Cohesive& law, const Range& range, const Opening& opening, double damage) {
+  const ByPart last = range.opening(damage);
+  return {last.value + law.pace * (opening.size - last.value),
+          (law.pace / opening.size) * opening.half_square + ((1 - law.pace) * last.d_mode) * opening.mode.derivative};
+}
+
+/// d at an opening r that has not been larger.
+Derived growing_damage(const Range& range, const Derived& r, const Derived& mode) {
+  const double begin = range.begin.value;
+  const double end = range.end.value;
+  const double size = r.value;
+  if (size <= begin) return {0, BondGradient::Zero()};
+  if (size >= end) return {1, BondGradient::Zero()};
+  const double softening = end - begin;
+  const double d_size = begin * end / (size * size * softening);
+  const double by_begin = end * (size - end) / (size * softening * softening);
+  const double by_end = begin * (begin - size) / (size * softening * softening);
+  const double d_mode = by_begin * range.begin.d_mode + by_end * range.end.d_mode;
+  return {end * (size - begin) / (size * softening), d_size * r.derivative + d_mode * mode.derivative};
 }
 
 /// Second derivatives of D_n.
@@ -101,7 +116,10 @@ BondHessian secant(double penalty, double damage, const Opening& opening) {
 
 BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vector3d& gap, const Vector3d& normal) {
   const Opening opening = opening_of(gap, normal);
-  const Derived growing = growing_damage(range_of(law, penalty, opening.mode.value), opening);
+  const Range range = range_of(law, penalty, opening.mode.value);
+  const bool opens = opening.size > range.opening(damage).value;
+  const Derived growing = opens ? growing_damage(range, followed(law, range, opening, damage), opening.mode)
+                                : Derived{damage, BondGradient::Zero()};
   const bool grows = growing.value > damage;
   BondLoad load;
   load.damage = grows ? growing.value : damage;
@@ -120,12 +138,23 @@ BondHessian yielding_derivative(double penalty, double damage, const Vector3d& g
          (penalty * (1 - damage) / square) * opening.half_square * opening.half_square.transpose();
 }
 
-double dissipated(const Cohesive& law, double penalty, double before, double after, const Vector3d& gap,
-                  const Vector3d& normal) {
-  const Range range = range_of(law, penalty, opening_of(gap, normal).mode.value);
-  // The integral of K lambda^2/2 dd along the curve of growing damage.
-  return 0.5 * penalty * range.begin * range.end * (range.opening(after) - range.opening(before)) /
-         (range.end - range.begin);
+double opening_size(const Vector3d& gap, const Vector3d& normal) { return opening_of(gap, normal).size; }
+
+Dissipated dissipated(const Cohesive& law, double penalty, double before, double after, double from,
+                      const Vector3d& gap, const Vector3d& normal) {
+  const Opening opening = opening_of(gap, normal);
+  const Range range = range_of(law, penalty, opening.mode.value);
+  const double first = range.opening(before).value;
+  const double last = range.opening(after).value;
+  // The integrals of K r^2/2 dd and of K (lambda^2 - r^2)/2 dd along the curve of growing damage, where dd ~ dr/r^2.
+  // The opening is lambda = offset + slope r from the one that the step began with; without viscosity it is r.
+  const double start = std::max(first, from);
+  const double slope = law.pace < 1 ? (opening.size - start) / (last - first) : 1.0;
+  const double offset = law.pace < 1 ? start - slope * first : 0.0;
+  const double opened = slope * slope * (last - first) + 2 * slope * offset * std::log(last / first) +
+                        offset * offset * (1 / first - 1 / last);
+  const double factor = 0.5 * penalty * range.begin.value * range.end.value / (range.end.value - range.begin.value);
+  return {factor * (last - first), factor * (opened - (last - first))};
 }
 
 double least_penalty(const Cohesive& law) {

@@ -13,6 +13,9 @@
 ///
 /// The state is d and not the largest lambda: at a mode that stays the same both say the same, and at one that changes
 /// d never heals.
+///
+/// With a viscosity, damage follows a retarded opening r in place of lambda, dr/dt = (lambda - r)/tau, which a step dt
+/// takes at its end: r = r_0 + dt/(dt + tau) (lambda - r_0).
 #pragma once
 
 #include "conditions/strength.h"
@@ -21,7 +24,8 @@ namespace mixture_contact {
 
 struct Cohesive {
   Strength strength;
-  ByMode energy;  ///< G_n and G_s, which it takes to break the bond in tension and in shear [N/mm]
+  ByMode energy;    ///< G_n and G_s, which it takes to break the bond in tension and in shear [N/mm]
+  double pace = 1;  ///< dt/(dt + tau) of the step; 1 without a viscosity tau [-]
 };
 
 /// Derivatives with the gap vector and with the normal, in this order.
@@ -43,10 +47,19 @@ BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vec
 /// down.
 BondHessian yielding_derivative(double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
 
-/// The energy that damage from `before` to `after` dissipates at the mode of a gap vector [N/mm]; from 0 to 1 it is
-/// that of the law.
-double dissipated(const Cohesive& law, double penalty, double before, double after, const Vector3d& gap,
-                  const Vector3d& normal);
+/// Energy that is lost per area [N/mm].
+struct Dissipated {
+  double by_damage = 0;
+  double by_viscosity = 0;
+};
+
+/// lambda of a gap vector [mm]. `normal`: of unit length.
+double opening_size(const Vector3d& gap, const Vector3d& normal);
+
+/// The energy that damage from `before` to `after` dissipates in a step, at the mode of the gap vector that it ends
+/// with and from the opening that it began with [mm]. From 0 to 1, damage takes the energy of the law.
+Dissipated dissipated(const Cohesive& law, double penalty, double before, double after, double from,
+                      const Vector3d& gap, const Vector3d& normal);
 
 /// The penalty that a bond has to exceed, so that it softens and f > o in every mode [N/mm^3].
 double least_penalty(const Cohesive& law);

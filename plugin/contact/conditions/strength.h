@@ -1,5 +1,6 @@
-/// The strength of a bond by the mode that it is loaded in: criterion of Camanho and Davila (2002),
-/// NASA/TM-2002-211737, with the mixing of Benzeggagh and Kenane (1996), Compos Sci Technol 56:439-449.
+/// The strength of a bond by the mode that it is loaded in. Bonds that soften: criterion of Camanho and Davila (2002),
+/// NASA/TM-2002-211737, with the mixing of Benzeggagh and Kenane (1996), Compos Sci Technol 56:439-449. Brittle ones:
+/// the quadratic criterion of Brewer and Lagace (1988), J Compos Mater 22:1141-1155.
 #pragma once
 
 #include "base/types.h"
@@ -18,7 +19,7 @@ struct ByMode {
   double at(double power) const { return normal + (shear - normal) * power; }
 };
 
-/// Tractions that a bond bears.
+/// Tractions that a bond bears before it softens.
 struct Strength {
   ByMode traction;    ///< sigma_c in tension and tau_c in shear [MPa]
   double mixing = 2;  ///< eta, at least 1 [-]
@@ -35,15 +36,15 @@ struct Strength {
 
 /// A bond that breaks at once where its load exceeds its strength, at solutions alone.
 struct Brittle {
-  Strength strength;
+  ByMode strength;  ///< in tension and in shear [MPa]
 };
 
-/// Whether a traction exceeds the strength; compression breaks nothing. `normal`: of unit length.
+/// Whether a traction exceeds the strength, (<t_n>/sigma_c)^2 + (t_s/tau_c)^2 > 1; compression breaks nothing.
+/// `normal`: of unit length.
 inline bool exceeds(const Brittle& bond, const Vector3d& traction, const Vector3d& normal) {
-  const double tension = std::max(0.0, traction.dot(normal));
-  const double shear = (traction - traction.dot(normal) * normal).squaredNorm();
-  const double square = tension * tension + shear;
-  return square > 0 && square > bond.strength.square(bond.strength.power(shear / square));
+  const double tension = std::max(0.0, traction.dot(normal)) / bond.strength.normal;
+  const double shear = (traction - traction.dot(normal) * normal).norm() / bond.strength.shear;
+  return tension * tension + shear * shear > 1;
 }
 
 }  // namespace mixture_contact

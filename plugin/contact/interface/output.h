@@ -8,6 +8,7 @@ namespace mixture_contact {
 /// Energies of a tie, of both sides together.
 struct BondEnergy {
   double dissipated = 0;   ///< by damage, since the tie began [mJ]
+  double viscous = 0;      ///< dissipated by viscosity, since the tie began [mJ]
   double stored = 0;       ///< in bonds [mJ]
   double broken_area = 0;  ///< [mm^2]
 };

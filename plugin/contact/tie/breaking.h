@@ -19,11 +19,17 @@ inline bool may_break(const BreakingLaw& law) { return !std::holds_alternative<U
 struct DamageState {
   VectorXd damage;     ///< d per tied node: 0 whole, 1 broken for ever [-]
   VectorXd energy;     ///< dissipated by damage [mJ/mm^2]
+  VectorXd viscous;    ///< dissipated by viscosity [mJ/mm^2]
+  VectorXd opening;    ///< lambda at the last solution [mm]; of cohesive bonds
   VectorXd broken_at;  ///< time at which the node broke [s]; negative while it has not
 
   DamageState() = default;
   explicit DamageState(Index nodes)
-      : damage(VectorXd::Zero(nodes)), energy(VectorXd::Zero(nodes)), broken_at(VectorXd::Constant(nodes, -1.0)) {}
+      : damage(VectorXd::Zero(nodes)),
+        energy(VectorXd::Zero(nodes)),
+        viscous(VectorXd::Zero(nodes)),
+        opening(VectorXd::Zero(nodes)),
+        broken_at(VectorXd::Constant(nodes, -1.0)) {}
 
   bool is_broken(Index n) const { return damage.size() > 0 && damage[n] >= 1; }
 };

@@ -10,25 +10,29 @@ namespace {
 /// What a node dissipates as it goes on from the accepted damage, and the damage that it comes to.
 struct Advance {
   double damage;
-  double energy;  ///< [mJ/mm^2]
+  Dissipated energy;
+  double opening = 0;  ///< [mm]
 };
 
 Advance advance(const Unbreakable& /*law*/, const Tie& /*tie*/, Index /*n*/, const TieLoads& /*loads*/,
                 const Vector3d& /*normal*/) {
-  return {0, 0};
+  return {0, {}, 0};
 }
 
 Advance advance(const Brittle& law, const Tie& /*tie*/, Index n, const TieLoads& loads, const Vector3d& normal) {
   const Vector3d traction = loads.traction.col(n);
-  if (!exceeds(law, traction, normal)) return {0, 0};
-  return {1, 0.5 * traction.dot(loads.gap.col(n))};
+  if (!exceeds(law, traction, normal)) return {0, {}, 0};
+  return {1, {0.5 * traction.dot(loads.gap.col(n)), 0}, 0};
 }
 
 Advance advance(const Cohesive& law, const Tie& tie, Index n, const TieLoads& loads, const Vector3d& normal) {
   const double before = tie.state().damage.damage[n];
   const double after = loads.damage[n];
-  if (!(after > before)) return {before, 0};
-  return {after, dissipated(law, tie.traction_penalty(n), before, after, loads.gap.col(n), normal)};
+  const Vector3d gap = loads.gap.col(n);
+  const double opening = opening_size(gap, normal);
+  if (!(after > before)) return {before, {}, opening};
+  const double from = tie.state().damage.opening[n];
+  return {after, dissipated(law, tie.traction_penalty(n), before, after, from, gap, normal), opening};
 }
 
 }  // namespace
@@ -43,7 +47,9 @@ DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, d
     const Advance step = std::visit([&](const auto& law) { return advance(law, tie, n, loads, normal); },
                                     tie.breaking());
     next.damage[n] = step.damage;
-    next.energy[n] += step.energy;
+    next.energy[n] += step.energy.by_damage;
+    next.viscous[n] += step.energy.by_viscosity;
+    next.opening[n] = step.opening;
     if (next.is_broken(n)) next.broken_at[n] = time;
   }
   return next;

@@ -112,8 +112,9 @@ Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nod
   state_.damage = DamageState(nodes_.count());
 }
 
-void Tie::set_laws(const Settings& settings) {
+void Tie::set_laws(const Settings& settings, const std::optional<BreakingLaw>& breaking) {
   settings_ = settings;
+  if (breaking) breaking_ = *breaking;
   penalties_ = at_nodes(mixture_contact::penalties(mesh_[Side::primary], mesh_[Side::secondary], effects_, settings_),
                         mesh_[Side::primary]);
 }

@@ -34,9 +34,10 @@ struct TieLoads {
 /// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
-/// The default of a tie that softens: a stiffer bond is no more exact where it opens by the energy that breaks it, and
-/// an iteration that unloads it goes wrong the farther.
-inline constexpr double default_cohesive_factor = 1e3;
+/// The default of a tie that softens, after Turon, Davila, Camanho and Costa (2007), Eng Fract Mech 74:1665-1682. A
+/// stiffer bond is no more exact where it opens by the energy that breaks it, and an iteration that unloads it goes
+/// wrong the farther.
+inline constexpr double default_cohesive_factor = 50;
 /// The largest factor that augmentations may reach: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
 
@@ -52,8 +53,9 @@ class Tie {
 
   Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking = Unbreakable());
 
-  /// Takes penalties and tolerances; multipliers stay.
-  void set_laws(const Settings& settings);
+  /// Takes penalties and tolerances; multipliers stay. `breaking`: how bonds break in a step, of the type that they
+  /// have; without it that stays, too.
+  void set_laws(const Settings& settings, const std::optional<BreakingLaw>& breaking = std::nullopt);
   /// Takes the materials behind the facets, in the meshes, for automatic penalties.
   void set_meshes(PerSide<SurfaceMesh> mesh);
 

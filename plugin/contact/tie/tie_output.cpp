@@ -95,6 +95,7 @@ BondEnergy energy_of(const Tie& tie, const TieLoads& loads, const DamageState& s
   for (Index n = 0; n < tie.nodes().count(); ++n) {
     const double area = tie.nodes()[n].traction.area;
     all.dissipated += area * state.energy[n];
+    all.viscous += area * state.viscous[n];
     all.stored += 0.5 * area * loads.traction.col(n).dot(loads.gap.col(n));
     if (state.is_broken(n)) all.broken_area += area;
   }

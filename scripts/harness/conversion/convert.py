@@ -32,7 +32,7 @@ from harness.preflight.formats.rewriting import OLD_NAMES
 from harness.preflight.levels import prescribed_nodes
 from harness.preflight.model import Model
 from harness.preflight.sides import Joint
-from harness.preflight.tied_types import CONVERTIBLE_TIES, NOT_STICKY, STICKY, TIED_TYPES
+from harness.preflight.tied_types import CONVERTIBLE_TIES, TIED_TYPES
 
 NOT_OURS = {
     "concentration gap": "contact solute jump",
@@ -77,10 +77,12 @@ def convert(path: Path) -> Converted:
         does not run; says all the reasons.
     """
     model = models.read(path)
-    if not any(contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES) for contact in (*model.contacts, *model.ties)):
-        found = ", ".join(sorted({contact.kind.name for contact in (*model.contacts, *model.ties)}))
+    joints = [Joint(model, contact) for contact in (*model.contacts, *model.ties)]
+    if not any(_becomes_ours(joint) for joint in joints):
+        found = ", ".join(sorted({joint.contact.kind.name for joint in joints}))
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
-        raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be")
+        stay = "".join(f"; {reason}" for reason in dict.fromkeys(filter(None, map(tied_contacts.stays, joints))))
+        raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be{stay}")
     _refuse(path, list(refusals(model)))
     files = sources.read(path)
     edits, changes = _edits(files, model)
@@ -113,11 +115,11 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     changes: dict[str, list[Change]] = {}
     for number, (contact, joint) in enumerate(_joints(files, model), 1):
         kind = contact.span.attributes.get("type", "")
-        if kind == STICKY:
+        if joint is not None and tied_contacts.stays(joint):
             changes[_title(contact, number, model.path)] = [
-                Change(Action.KEPT, "type", contact.span.line, f"stays: {NOT_STICKY}")
+                Change(Action.KEPT, "type", contact.span.line, f"stays: {tied_contacts.stays(joint)}")
             ]
-        if joint is None or joint.contact.kind.name not in (*CONVERTIBLE, *CONVERTIBLE_TIES):
+        if joint is None or not _becomes_ours(joint):
             continue
         data, is_tie = files.data[contact.file], joint.contact.kind.is_tie
         new = TIED if is_tie else MIXTURE
@@ -133,6 +135,10 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     for change in _output(files):
         changes.setdefault("output", []).append(change)
     return edits, changes
+
+
+def _becomes_ours(joint: Joint) -> bool:
+    return joint.contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES) and not tied_contacts.stays(joint)
 
 
 def _title(contact: Located, number: int, model: Path) -> str:

@@ -48,8 +48,8 @@ class ContactType:
 
     @property
     def is_tie(self) -> bool:
-        """Whether it joins bodies for ever."""
-        return self.name.startswith("tied")
+        """Whether it joins bodies."""
+        return self.name.startswith("tied") or self.name == "sticky"
 
     @property
     def modules(self) -> tuple[str, ...]:

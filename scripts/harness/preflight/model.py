@@ -19,7 +19,7 @@ from harness.preflight.formats import newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
 from harness.preflight.plugin_types import PLUGIN_TYPES
-from harness.preflight.tied_types import NOT_STICKY, STICKY, TIED_TYPES
+from harness.preflight.tied_types import TIED_TYPES
 from harness.preflight.xml_file import (
     AS_THEY_ARE,
     Contents,
@@ -273,7 +273,6 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
     if not made.contacts and not made.ties:
         others = sorted({str(tag.get("type")) for _, tag in document.everywhere("Contact", "contact")})
         found = f"it has {', '.join(others)}" if others else "it has no <contact>"
-        found += f" ({NOT_STICKY})" if STICKY in others else ""
         known = ", ".join((*TYPES, *TIED_TYPES))
         raise ModelError(f"{path}: has no sliding contact and no tie to look at; {found}. Known types: {known}")
     return made

@@ -11,6 +11,8 @@ _SOLVENT = ("ptol", "pressure_penalty")
 _SOLUTE = ("ctol", "concentration_penalty")
 _OF_FEBIO = ("two_pass", "knmult", "symmetric_stiffness")
 _FLIPS = ("flip_primary", "flip_secondary")
+STICKY = "sticky"
+"""FEBio's type that ties what touches, and lets it go at a tension."""
 _OWN = tuple(parameter.name for parameter in PLUGIN_TYPES[TIED])
 
 
@@ -37,20 +39,19 @@ TIED_TYPES = {
             *(*_ENFORCED, "search_tolerance", "offset_shells", "max_distance", "special", "node_reloc"),
         ),
         _tied("tied-facet-on-facet", "solid", *_ENFORCED, "search_tolerance", "gap_offset"),
+        _tied(
+            STICKY,
+            "solid",
+            *(*_ENFORCED, "search_tolerance", "gap_offset", "flip_secondary", "max_traction", "snap_tol"),
+        ),
     )
 }
 """Every tied type, by its name in a model file."""
 
 CONVERTIBLE_TIES = tuple(name for name in TIED_TYPES if name != TIED)
 """The types of FEBio's that `tied-mixture` takes the place of."""
-ANY_DISTANCE = ("tied-node-on-facet", "tied-facet-on-facet")
+ANY_DISTANCE = ("tied-node-on-facet", "tied-facet-on-facet", STICKY)
 """The types that look for the closest point, at any distance where none is given."""
-STICKY = "sticky"
-NOT_STICKY = (
-    "sticky catches nodes that come near during the run and lets them go; tied-mixture ties what is near at the start, "
-    "for ever"
-)
-"""Why FEBio's sticky contact is no tie."""
 
 
 def keeps_gaps(kind: ContactType, *, has_offset: bool) -> bool:

@@ -11,7 +11,7 @@ using namespace test;
 namespace {
 
 const Cohesive law{{{0.01, 0.02}, 2}, {0.002, 0.003}};
-const Brittle brittle{{{0.5, 0.5}, 2}};
+const Brittle brittle{{0.5, 0.5}};
 
 /// A scene whose bodies have been drawn apart, so that bonds soften, and pushed together in part.
 TiedScene opened(FacetType one, FacetType two, double gap, double along, std::mt19937& random) {

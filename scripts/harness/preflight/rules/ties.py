@@ -15,7 +15,7 @@ from harness.preflight.model import METHODS
 from harness.preflight.rules import settings, surfaces
 from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
-from harness.preflight.tied_types import ANY_DISTANCE
+from harness.preflight.tied_types import ANY_DISTANCE, STICKY
 from harness.preflight.xml_file import children
 
 Array = NDArray[np.float64]
@@ -55,7 +55,9 @@ def turned_away(joint: Joint) -> Iterator[Finding]:
 
 
 def untied(joint: Joint) -> Iterator[Finding]:
-    """Facets of the primary surface that see the other one from too far away."""
+    """Facets of the primary surface that see the other one from too far away; `sticky` waits for them."""
+    if joint.contact.kind.name == STICKY:
+        return
     gaps, limits = _gaps_and_limits(joint)
     seen = np.isfinite(gaps)
     pair = joint.contact.pair

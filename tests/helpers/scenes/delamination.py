@@ -1,0 +1,105 @@
+"""Strips that come apart: a double cantilever beam.
+
+Plane strain with a Poisson's ratio of 0, one element wide. Strips lie along x and part along z = 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scenes.breaking_blocks import BONDS
+from scenes.tied_columns import EXACTLY
+from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
+
+Array = NDArray[np.float64]
+ALL = "all-nodes"
+
+
+@dataclass(frozen=True)
+class Strips:
+    """Two strips that are tied beyond a crack, and what they are made of.
+
+    Attributes
+    ----------
+    cells : int
+        Elements across the thickness of a strip, and as many over the same length along it.
+    length, crack, thickness : float
+        Of each strip, mm; the crack begins at x = 0.
+    modulus, strength, energy : float
+        Young's modulus and strength of bonds, MPa, and the energy that breaks them, N/mm; the same in both modes.
+    opening : float
+        Largest distance that the ends move apart, mm.
+    steps : int
+        Equal time steps.
+    """
+
+    cells: int = 4
+    length: float = 14.0
+    crack: float = 6.0
+    thickness: float = 1.0
+    modulus: float = 1000.0
+    strength: float = 0.2
+    energy: float = 1e-3
+    opening: float = 0.24
+    steps: int = 40
+    more: str = ""
+
+    @property
+    def width(self) -> float:
+        """Of the strips, mm: one element."""
+        return self.thickness / self.cells
+
+    @property
+    def along(self) -> int:
+        """Elements along a strip."""
+        return round(self.length * self.cells / self.thickness)
+
+    @property
+    def tie(self) -> str:
+        """Parameters of the tie."""
+        energy = f"<fracture_energy>{self.energy!r}</fracture_energy>"
+        return f"<max_traction>{self.strength!r}</max_traction>{energy}{self.more}"
+
+
+def two_strips(strips: Strips) -> Parts:
+    """The strips, with the surfaces `up-tied` and `low-tied` beyond the crack."""
+    parts = Parts()
+    h, b = strips.thickness, strips.width
+    parts.box("low", (0, 0, -h), (strips.length, b, 0), (strips.along, 1, strips.cells), "low")
+    parts.box("up", (0, 0, 0), (strips.length, b, h), (strips.along, 1, strips.cells), "up")
+    for name, side in (("up", "bottom"), ("low", "top")):
+        middle = {f: np.mean([parts.nodes[n - 1][0] for n in f]) for f in parts.surfaces[f"{name}-{side}"]}
+        parts.surfaces[f"{name}-tied"] = [f for f, x in middle.items() if x > strips.crack]
+    parts.node_sets[ALL] = list(range(1, len(parts.nodes) + 1))
+    return parts
+
+
+def document(strips: Strips, parts: Parts, boundary: list[str]) -> Document:
+    """A model of strips whose ends follow the first load curve, from 0 to 1."""
+    inner = control("solid", strips.steps, 1 / strips.steps, retries=8)
+    tolerances = EXACTLY.split("<ptol>", maxsplit=1)[0].replace("1e-12", "1e-8").replace("1e-9", "1e-6")
+    return Document(
+        parts.mesh({"tie": ("up-tied", "low-tied")}),
+        tuple(elastic(name, n, strips.modulus) for n, name in enumerate(("low", "up"), 1)),
+        control=inner.replace("<max_refs>", f"{tolerances}<lstol>0</lstol><max_refs>"),
+        boundary=[fixed(ALL, "y"), *boundary],
+        contacts=(contact("tie", "tie", "tied-mixture", strips.tie),),
+        curves=(curve(1, (0, 0), (1, 1)),),
+        node_data="uz",
+        surface_data={"up-tied": f"{BONDS};viscous energy"},
+    )
+
+
+def double_cantilever_beam(strips: Strips) -> Document:
+    """Two strips whose ends at x = 0 are drawn apart."""
+    parts = two_strips(strips)
+    ends = [moved("up-left", "z", 0.5 * strips.opening), moved("low-left", "z", -0.5 * strips.opening)]
+    return document(strips, parts, [fixed("low-right", "x"), *ends])
+
+
+def with_energy(text: str) -> str:
+    """A model that logs the strain energy density of its elements in sed.txt."""
+    return text.replace("</logfile>", '<element_data data="sed" file="sed.txt" delim=" "/></logfile>')
