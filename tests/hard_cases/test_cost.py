@@ -52,7 +52,7 @@ def test_runs_that_failed_stand_in_the_picture(tmp_path, problem):
     data = [replace(datum, problem=problem.value) for datum in DATA]
     drawn = pareto.draw(data, tmp_path / "cost.svg").read_text()
     assert drawn.count('id="failed sliding-mixture"') == 1
-    assert "did not end" in drawn
+    assert "did not complete" in drawn
 
 
 def test_the_answer_is_the_cheapest_that_is_good_enough():
