@@ -40,12 +40,16 @@ class Sentence:
 
 
 def without_title(children: list[Token]) -> list[Token]:
-    """A paragraph without the words in bold that it may begin with, as with a heading."""
+    """A paragraph without a title in bold: words that end with a colon, or with another mark before further words."""
     if children and children[0].content == "":
         children = children[1:]
     if not children or children[0].type != "strong_open":
         return children
-    return children[[child.type for child in children].index("strong_close") + 1 :]
+    close = [child.type for child in children].index("strong_close")
+    rest = children[close + 1 :]
+    title = children[close - 1].content
+    more = any(child.content.strip() for child in rest)
+    return rest if title.endswith(":") or (more and title.endswith((".", "?"))) else children
 
 
 def word(token: Token) -> str:

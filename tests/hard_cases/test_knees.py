@@ -34,19 +34,20 @@ THEIRS = replace(
 )
 
 
-def test_the_headline_compares_with_the_runs_of_fewest_iterations_and_of_least_overlap() -> None:
+def test_the_table_compares_with_the_runs_of_fewest_iterations_and_of_least_overlap() -> None:
     tight = replace(THEIRS, factor=100.0, iterations=120, seconds=160.0, overlap=0.01)
-    said = page.headline([OURS, THEIRS, tight])
-    assert "completes 1 of 1 runs, FEBio's interface 2 of 2" in said
-    assert "1.50 times the iterations, 2.00 times the time and 1.50 times the memory of the run of FEBio's with" in said
-    assert "and 0.50 times the iterations, 0.50 times the time" in said
-    assert "leaves 0.01 and 0.1 times as much overlap" in said
+    runs = [OURS, THEIRS, tight]
+    assert "completes 1 of 1 runs. FEBio's interface completes 2 of 2" in page.headline(runs)
+    fewest, least = page.compared(runs).splitlines()[2:]
+    assert fewest == "| stance | fewest iterations | 1.50 | 2.00 | 1.50 | 0.01 |"
+    assert least.startswith("| stance | least overlap | 0.50 | 0.50 |")
+    assert least.endswith("| 0.1 |")
 
 
-def test_the_headline_compares_nothing_where_a_run_fails() -> None:
-    said = page.headline([OURS, replace(THEIRS, ended=False)])
-    assert "FEBio's interface 0 of 1" in said
-    assert "times the iterations" not in said
+def test_the_table_compares_nothing_where_a_run_fails() -> None:
+    runs = [OURS, replace(THEIRS, ended=False)]
+    assert "FEBio's interface completes 0 of 1" in page.headline(runs)
+    assert len(page.compared(runs).splitlines()) == 2
 
 
 def test_tables_have_a_row_for_each_run() -> None:

@@ -67,7 +67,7 @@ SMALL = {
     # Builds the plugin with sanitizers, which takes minutes.
     "scripts/mixcontact robustness model.feb --only model": "{harness} robustness --help",
     # No network, and no second virtual environment.
-    "git clone <address of this repository> FEBioMixtureContact": "git clone -q {root} FEBioMixtureContact",
+    "git clone REPOSITORY FEBioMixtureContact": "git clone -q {root} FEBioMixtureContact",
     "cd FEBioMixtureContact": "cd FEBioMixtureContact && rm -r scripts && ln -s {root}/scripts scripts",
 }
 """Small versions, of whole lines."""

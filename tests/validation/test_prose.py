@@ -24,6 +24,9 @@ BAD = {
     "Reported are the two slips.": "not with 'Reported are'",
     "Not in these data: one mesh.": "not with 'Not'",
     "* `--folder`: Where results go.": "not with 'Where'",
+    "The error is 5%.": "a space before the percent sign",
+    "**What passes** is too little.": "a noun in place of 'What'",
+    "**The answer of the run.**": "without a verb",
     "A residual of the solid in the log.": "without a verb",
     "Off by default.": "without a verb",
     "The node " + "closes and " * 20 + "opens.": "words in one sentence",
@@ -35,6 +38,8 @@ GOOD = (
     "Set `gaptol`, or leave it out.",
     "The contact transmits traction.",
     "**In your model.** Refine the mesh.",
+    "**Friction.** The law holds.",
+    "**Friction** takes 5 % more time.",
     "* `--folder`, `--out`: Write results to this folder.",
 )
 

@@ -23,7 +23,7 @@ constexpr double most_left = 0.5;
 
 /// Matrices in a step with which corrections may leave too much, until each further iteration of the step has a matrix
 /// of its own. The size is a choice: one such matrix may be of a contact that has just changed.
-constexpr int most_spent = 1;
+constexpr int most_spent = 2;
 
 /// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
 /// off by so much leaves as much to the next one.
@@ -84,7 +84,7 @@ void KeptMatrix::begin() {
   number_ = system_.matrices();
   border_.forget();
   taken_.clear();
-  served_ = {};
+  served_ = {0, 0, served_.spent};
   may_correct_ = true;
 }
 
@@ -94,7 +94,7 @@ bool KeptMatrix::is_spent() {
   const double before = std::exchange(served_.left, left);
   const bool has_been_corrected = served_.iterations > 0;
   const bool is_spent = has_been_corrected && left > most_left * before && system_.may_form_matrix();
-  if (is_spent) ++spent_;
+  if (is_spent) ++served_.spent;
   return is_spent;
 }
 
@@ -103,7 +103,7 @@ bool KeptMatrix::is_due() {
   const MatrixStrategy strategy = system_.strategy();
   // JFNK takes differences from a residual of its own.
   const bool is_kept = strategy == MatrixStrategy::updated || strategy == MatrixStrategy::unchanged;
-  if (!may_correct_ || !is_kept || spent_ >= most_spent) return true;
+  if (!may_correct_ || !is_kept || served_.spent >= most_spent) return true;
   if (strategy == MatrixStrategy::unchanged) return served_.iterations >= most_iterations;
   const int most_updates = system_.most_updates();
   return most_updates > 0 && served_.iterations + system_.updates() >= most_updates - 1;
@@ -233,7 +233,7 @@ void KeptMatrix::force_next() {
 }
 
 void KeptMatrix::end_step() {
-  spent_ = 0;
+  served_.spent = 0;
   restore();
 }
 

@@ -67,10 +67,11 @@ class KeptMatrix {
   void serialize(DumpStream& ar);
 
  private:
-  /// The record of iterations with the matrix.
+  /// The record of iterations with the matrix, and of the step's earlier ones.
   struct Served {
     int iterations = 0;  ///< up to the last that was corrected
     double left = 0;     ///< of the residual, by the last one; 0 before any
+    int spent = 0;       ///< matrices in this step with which corrections have left too much
   };
   /// The properties that matrices of the model have shown.
   struct Found {
@@ -103,7 +104,6 @@ class KeptMatrix {
   Border border_;
   int number_ = 0;  ///< of the matrix, as FEBio counts them in a step
   Served served_;
-  int spent_ = 0;  ///< matrices in this step with which corrections have left too much
   bool is_requested_ = false;  ///< another one, by request()
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;

@@ -84,14 +84,14 @@ def _headline(data: Sequence[Datum], problems: Sequence[Problem]) -> str:
         fastest = pareto.fastest(_febio(data, problem), ALIKE * pareto.error_of(own))
         found.setdefault(_compared(own, fastest), []).append(problem.value)
     said = [f"{text} in problem{'s' * (len(names) > 1)} {' and '.join(names)}." for text, names in found.items()]
-    return f"FEBio's interfaces are compared here at up to twice the error of `sliding-mixture`. {' '.join(said)}"
+    return " ".join(said)
 
 
 def _compared(own: Datum, fastest: Datum | None) -> str:
     if fastest is None:
-        return "None of their settings reaches that error"
+        return "None of their settings reaches the error of `sliding-mixture`"
     faster = pareto.cost_of(fastest) < pareto.cost_of(own)
-    return f"Their best settings take {'less' if faster else 'more'} time"
+    return f"The best settings of FEBio's interfaces take {'less' if faster else 'more'} time"
 
 
 def _febio(data: Sequence[Datum], problem: Problem) -> list[Datum]:
@@ -105,10 +105,13 @@ def _details(data: Sequence[Datum], problems: Sequence[Problem]) -> str:
         own = _point(data, problem, Parameter.DEFAULT, 0.0)
         good = _febio(data, problem)
         told.append(
-            f"Defaults reach an error of {pareto.error_of(own):.0e} in problem {problem.value} in {own.iterations} "
-            f"iterations and {_time(own)}. {_theirs(own, good)}"
+            f"The defaults of `sliding-mixture` reach an error of {pareto.error_of(own):.0e} in problem "
+            f"{problem.value}. They take {own.iterations} iterations and {_time(own)}. {_theirs(own, good)}"
         )
-    return f"{' '.join(told)} The matrix is non-symmetric with FEBio's interfaces as well."
+    return (
+        f"{' '.join(told)} FEBio's settings count if their error is at most twice that of `sliding-mixture`. All "
+        "matrices are non-symmetric."
+    )
 
 
 def _theirs(own: Datum, good: Sequence[Datum]) -> str:
@@ -116,9 +119,9 @@ def _theirs(own: Datum, good: Sequence[Datum]) -> str:
     error = ALIKE * pareto.error_of(own)
     best, fastest = pareto.cheapest(good, error), pareto.fastest(good, error)
     if best is None or fastest is None:
-        return "No setting of FEBio's interfaces reaches it."
-    faster = "FEBio's is faster" if pareto.cost_of(fastest) < pareto.cost_of(own) else "`sliding-mixture` is faster"
-    return f"FEBio's best settings take {best.iterations} and {_time(fastest)}: {faster}."
+        return "No setting of FEBio's interfaces reaches this error."
+    faster = "FEBio's interface" if pareto.cost_of(fastest) < pareto.cost_of(own) else "`sliding-mixture`"
+    return f"FEBio's best settings take {best.iterations} iterations and {_time(fastest)}. {faster} is faster."
 
 
 def _time(datum: Datum) -> str:

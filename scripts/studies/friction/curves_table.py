@@ -40,7 +40,7 @@ def turned_line(rows: Sequence[Row]) -> str:
     far = {name: float(np.abs(own / np.array(curve) - 1.0).max()) for name, curve in published.TORQUE.items()}
     span = max(outside(v, s) for v, s in zip(own.tolist(), published.spread(published.TORQUE), strict=True))
     told = ", ".join(f"{100.0 * each:.1f} % from {name}" for name, each in far.items())
-    return f"at most {told}, and {100.0 * span:.1f} % from what the two span"
+    return f"at most {told}, and {100.0 * span:.1f} % from the range of both"
 
 
 def pressed_line(rows: Sequence[Row]) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from harness.paths import DOCS
 from studies import files
+from studies import tables as markdown_tables
 from studies.friction import stick_points
 from studies.hard_cases.outcomes import OURS, Outcome, Table, arranged
 from studies.hard_cases.rubbing import CASES
@@ -25,11 +26,11 @@ RUBS = "friction-"
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     rows = arranged(files.read_csv(DATA / CASES_SOURCE, Outcome))
-    headlines = [_headline(rows, mesh) for mesh in Fineness]
     models = _models()
     return {
         "beside": beside(models),
-        "headline": " ".join(headlines),
+        "headline": " ".join(_headline(rows, mesh) for mesh in Fineness),
+        "meshes": meshes(rows),
         **stick_points.figures(files.read_csv(DATA / stick_points.SOURCE, stick_points.Datum)),
     }
 
@@ -52,8 +53,8 @@ def beside(models: Sequence[Row]) -> str:
         for pairs in ([(row.converted, row) for row in models], [(row.defaults, row) for row in models])
     )
     return (
-        f"{converted} of {len(models)} scenes take at most the iterations of FEBio's interface with its penalties, and "
-        f"{defaults} with the defaults, which are stiffer."
+        f"{converted} of {len(models)} scenes take at most the iterations of FEBio's interface with its penalties. "
+        f"{defaults} do so with the stiffer defaults."
     )
 
 
@@ -75,16 +76,26 @@ def _on(rows: Table, mesh: Fineness) -> Sequence[tuple[str, Outcome, Outcome]]:
 
 
 def _headline(rows: Table, mesh: Fineness) -> str:
-    own = _on(rows, mesh)
-    ended = [(with_it, without) for _, with_it, without in own if with_it.ended and without.ended]
+    return f"{len(_ended(rows, mesh))} of {len(_on(rows, mesh))} scenes complete on the {mesh.value} mesh."
+
+
+def _ended(rows: Table, mesh: Fineness) -> list[tuple[Outcome, Outcome]]:
+    """Runs with friction and without it, of the cases that complete with both."""
+    return [(with_it, without) for _, with_it, without in _on(rows, mesh) if with_it.ended and without.ended]
+
+
+def meshes(rows: Table) -> str:
+    """A row for each mesh: iterations over those without friction, and repeated steps."""
+    heads = ("mesh", "iterations over those without friction", f"at most {MOST_ITERATIONS:g} times", "more repeats")
+    return markdown_tables.markdown(heads, (_mesh(rows, mesh) for mesh in Fineness))
+
+
+def _mesh(rows: Table, mesh: Fineness) -> tuple[str, ...]:
+    ended = _ended(rows, mesh)
     ratios = [with_it.iterations / without.iterations for with_it, without in ended]
     most = sum(ratio <= MOST_ITERATIONS for ratio in ratios)
     more = sum(with_it.retries > without.retries for with_it, without in ended)
-    return (
-        f"{len(ended)} of {len(own)} scenes complete on the {mesh.value} mesh, with {min(ratios):.2f} to "
-        f"{max(ratios):.2f} times the iterations of the same scene without friction: {most} with at most "
-        f"{MOST_ITERATIONS:g} times, {more} with more repeated steps."
-    )
+    return (mesh.value, f"{min(ratios):.2f} to {max(ratios):.2f}", f"{most} of {len(ended)}", f"{more} of {len(ended)}")
 
 
 def _lines(rows: Table) -> list[str]:

@@ -27,7 +27,7 @@ def figures() -> Mapping[str, str]:
     measures = [measure for section in sections for measure in section.measures]
     return {
         "headline": headline(sections),
-        "details": details(),
+        "details": details(len(sections)),
         "checks": "\n".join(map(_check, sections)),
         "split": "\n".join(f"| {_cell(m.name)} | {m.value:.2g} |" for m in measures if any(s in m.name for s in SPLIT)),
         "layers": "\n".join(map(_layers, PROBLEMS)),
@@ -44,19 +44,19 @@ def headline(sections: Sequence[Section]) -> str:
     measures = [measure for section in sections for measure in section.measures]
     near = sum(_used(measure) > HALF for measure in measures)
     return (
-        f"{sum(measure.passed for measure in measures)} of {len(measures)} figures meet their tolerances, in "
-        f"{len(sections)} checks against closed forms, conforming references and balances. This project chose the "
-        f"tolerances, and {near} figures use more than half of theirs."
+        f"{sum(measure.passed for measure in measures)} of {len(measures)} figures meet the tolerances that this "
+        f"project chose. {near} figures use more than half of theirs."
     )
 
 
-def details() -> str:
-    """The largest errors of contacts that have no tolerance."""
+def details(checks: int) -> str:
+    """The number of checks, and the largest errors of contacts that have no tolerance."""
     layers = max(error for problem in PROBLEMS for error in _layer_errors(problem).values())
     rows = files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow)
     hertz = max(abs(error) for _, found in _elastic_errors(rows) for error in found)
     return (
-        "Hertz's contacts have no tolerance and are not among these figures. Half-widths, radii and peaks of a "
+        f"The figures come from {checks} checks against closed forms, conforming references and balances. Hertz's "
+        "contacts have no tolerance and are not among these figures. Half-widths, radii and peaks of a "
         f"cylinder and a sphere differ from the closed forms by up to {100.0 * hertz:.1f} %. Those of thin biphasic "
         f"layers, whose closed form is asymptotic, differ by up to {100.0 * layers:.1f} %."
     )

@@ -22,40 +22,60 @@ mesh alone, which does not resolve the pressure. No conforming reference says wh
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
     runs = files.read_csv(DATA / SOURCE, KneeRun)
-    return {"headline": headline(runs), "runs": table(runs), "compartments": compartments(runs), "limits": _LIMITS}
+    return {
+        "headline": headline(runs),
+        "compared": compared(runs),
+        "runs": table(runs),
+        "compartments": compartments(runs),
+        "limits": _LIMITS,
+    }
 
 
 def headline(runs: Sequence[KneeRun]) -> str:
-    """Who completes, and how much it takes."""
-    ours, theirs = ([run for run in runs if (run.contact == _OURS) is mine] for mine in (True, False))
-    done = f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs, FEBio's interface {_done(theirs)} of "
-    compared = [_compared(mine, theirs) for mine in ours if mine.ended]
-    return f"{done}{len(theirs)} with three factors of its penalty. {' '.join(compared)}"
+    """Who completes."""
+    ours, theirs = _sides(runs)
+    return (
+        f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs. FEBio's interface completes "
+        f"{_done(theirs)} of {len(theirs)} with three factors of its penalty."
+    )
+
+
+def _sides(runs: Sequence[KneeRun]) -> tuple[list[KneeRun], list[KneeRun]]:
+    """Runs with the plugin, and with FEBio's interface."""
+    return [run for run in runs if run.contact == _OURS], [run for run in runs if run.contact != _OURS]
+
+
+def compared(runs: Sequence[KneeRun]) -> str:
+    """`sliding-mixture` over two runs of FEBio's interface for each load: the fastest, and the one that overlaps least.
+
+    Only runs that complete are compared.
+    """
+    ours, theirs = _sides(runs)
+    rows = [row for mine in ours if mine.ended for row in _compared(mine, theirs)]
+    return tables.markdown(("load", "run of FEBio's interface", "iterations", "time", "memory", "overlap"), rows)
 
 
 def _done(runs: Sequence[KneeRun]) -> int:
     return sum(run.ended for run in runs)
 
 
-def _compared(mine: KneeRun, theirs: Sequence[KneeRun]) -> str:
-    """The plugin's run of a load beside two of FEBio's that complete: the fastest and the one that overlaps least."""
+def _compared(mine: KneeRun, theirs: Sequence[KneeRun]) -> list[tuple[str, ...]]:
+    """Two rows, or none if no run of FEBio's completes."""
     rivals = [run for run in theirs if run.ended and run.load == mine.load]
     if not rivals:
-        return f"In {mine.load}, no run of FEBio's completes."
+        return []
     fastest = min(rivals, key=lambda run: run.iterations)
     tightest = min(rivals, key=lambda run: run.overlap)
-    return (
-        f"In {mine.load}, `sliding-mixture` takes {_times(mine, fastest)} the run of FEBio's with the fewest "
-        f"iterations, and {_times(mine, tightest)} the run of FEBio's with the least overlap. It leaves "
-        f"{mine.overlap / fastest.overlap:.1g} and {mine.overlap / tightest.overlap:.1g} times as much overlap."
-    )
+    return [
+        (mine.load, "fewest iterations", *_times(mine, fastest)),
+        (mine.load, "least overlap", *_times(mine, tightest)),
+    ]
 
 
-def _times(mine: KneeRun, other: KneeRun) -> str:
-    return (
-        f"{mine.iterations / other.iterations:.2f} times the iterations, {mine.seconds / other.seconds:.2f} times the "
-        f"time and {mine.memory / other.memory:.2f} times the memory of"
-    )
+def _times(mine: KneeRun, other: KneeRun) -> tuple[str, ...]:
+    """Iterations, time, memory and overlap over those of another run."""
+    ratios = (mine.iterations / other.iterations, mine.seconds / other.seconds, mine.memory / other.memory)
+    return (*(f"{ratio:.2f}" for ratio in ratios), f"{mine.overlap / other.overlap:.1g}")
 
 
 def _name(run: KneeRun) -> tuple[str, str]:

@@ -1,4 +1,4 @@
-"""What README quotes of the pages of evidence: beside the link to a page, what that page says first, in bold."""
+"""What README quotes of the pages of evidence: in the row of a page, what that page says first, in bold."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from harness.paths import REPOSITORY
 
 PAGE = "../README.md"
 """From docs/."""
-_QUOTED = re.compile(r"^(- \[[^\]]+\]\((docs/evidence/[\w-]+\.md)\)) \*\*.*\*\*$", re.MULTILINE)
+_QUOTED = re.compile(r"^(\| \[[^\]]+\]\((docs/evidence/[\w-]+\.md)\) \|) .* \|$", re.MULTILINE)
 _SAID = re.compile(r"^\*\*(.+)\*\*$", re.MULTILINE)
 
 
 def page() -> str:
     """README with what the pages say now."""
     text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
-    return _QUOTED.sub(lambda line: f"{line[1]} **{said_first(line[2])}**", text)
+    return _QUOTED.sub(lambda line: f"{line[1]} {said_first(line[2])} |", text)
 
 
 def quoted(text: str) -> list[str]:
-    """The lines of a text that quote a page of evidence."""
+    """The rows of a text that quote a page of evidence."""
     return [line[0] for line in _QUOTED.finditer(text)]
 
 

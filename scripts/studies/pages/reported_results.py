@@ -15,8 +15,6 @@ DATA = Path("data", "reported-scenes.json")
 """Below docs/."""
 WAYS = {"converted": "converted", "defaults": "penalties deleted"}
 """Runs of ours that each scene has, as the table calls them."""
-TITLES = {"converted": "Converted models", "defaults": "Without their penalties, they"}
-"""The same runs, as a sentence calls them."""
 IN = 0.9
 """Part of the scenes in which ours is to take at most FEBio's iterations."""
 
@@ -57,30 +55,36 @@ def _ours(row: Row) -> list[Took]:
 
 
 def summary(rows: Sequence[Row]) -> str:
-    """How many scenes each way completes."""
-    sound = [row for row in rows if row.febio.ended]
-    counts = [f"{TITLES[way]} complete {sum(getattr(row, way).ended for row in sound)} of these." for way in WAYS]
-    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes.", *counts]
-    beyond = [row for row in rows if not row.febio.ended]
-    if beyond:
-        ended = sum(row.converted.ended for row in beyond)
-        parts.append(f"Converted models complete {ended} of the {len(beyond)} that FEBio's interface does not.")
-    return " ".join(parts)
+    """How many scenes each interface completes."""
+    ours = [row for row in rows if row.converted.ended]
+    shared = sum(row.febio.ended for row in ours)
+    return (
+        f"FEBio's interface completes {sum(row.febio.ended for row in rows)} of {len(rows)} scenes. Converted models "
+        f"complete {shared} of these and {len(ours) - shared} others."
+    )
 
 
 def details(rows: Sequence[Row]) -> str:
-    """In how many scenes that both complete ours takes no more iterations than FEBio's, and in how many more."""
-    return " ".join(_details(way, [row for row in rows if row.febio.ended and getattr(row, way).ended]) for way in WAYS)
-
-
-def _details(way: str, both: Sequence[Row]) -> str:
-    ratios = sorted(getattr(row, way).iterations / row.febio.iterations for row in both)
-    more = sum(getattr(row, way).retries > row.febio.retries for row in both)
-    most = f" and at most {ratios[-1]:.2f} times as many" if ratios else ""
-    return (
-        f"{TITLES[way]} take at most FEBio's iterations in {sum(ratio <= 1.0 for ratio in ratios)} scenes{most}; "
-        f"{sum(ratio > MOST for ratio in ratios)} take more than {MOST} times, {more} have more retries."
+    """A table with a row for each way: runs that complete, iterations over FEBio's, and more retries."""
+    sound = sum(row.febio.ended for row in rows)
+    heads = (
+        "model",
+        f"completes, of FEBio's {sound}",
+        "of the others",
+        "at most FEBio's iterations",
+        "most, over FEBio's",
     )
+    lines = [_details(way, rows) for way in WAYS]
+    return tables.markdown((*heads, f"more than {MOST} times", "more retries"), lines)
+
+
+def _details(way: str, rows: Sequence[Row]) -> tuple[str | int, ...]:
+    ended = [row for row in rows if getattr(row, way).ended]
+    both = [row for row in ended if row.febio.ended]
+    ratios = [getattr(row, way).iterations / row.febio.iterations for row in both]
+    more = sum(getattr(row, way).retries > row.febio.retries for row in both)
+    few, many = sum(ratio <= 1.0 for ratio in ratios), sum(ratio > MOST for ratio in ratios)
+    return (WAYS[way], len(both), len(ended) - len(both), few, f"{max(ratios, default=0.0):.2f}", many, more)
 
 
 def table(rows: Sequence[Row]) -> str:

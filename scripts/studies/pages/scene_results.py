@@ -144,8 +144,12 @@ def finer(rows: Sequence[Row]) -> str:
     """How the difference falls with the mesh, of the scenes that are there on two meshes."""
     difference = {row.name: row.converted.difference for row in rows}
     pairs = [(one, two) for one, two in FINER if one in difference and two in difference]
-    found = [f"from {difference[one]:.1%} (`{one}`) to {difference[two]:.1%} (`{two}`)" for one, two in pairs]
-    return f"The difference of displacements falls with half the element size, {' and '.join(found)}." if found else ""
+    cells = [(f"`{one}`", _percent(difference[one]), f"`{two}`", _percent(difference[two])) for one, two in pairs]
+    return tables.markdown(("scene", "differ by", "elements of half the size", "differ by"), cells)
+
+
+def _percent(part: float, digits: int = 1) -> str:
+    return f"{100.0 * part:.{digits}f} %"
 
 
 def table(rows: Sequence[Row]) -> str:
@@ -191,17 +195,19 @@ def cell(took: Took) -> str:
 def summary(rows: Sequence[Row]) -> str:
     """How many scenes end, how many are no worse than FEBio's, and what the limit and the predictor do."""
     sound = [row for row in rows if row.febio.ended]
-    parts = [f"FEBio's interface completes {len(sound)} of {len(rows)} scenes."]
-    for name, of in (("Converted models", "converted"), ("Models with the penalties deleted", "defaults")):
-        runs: list[tuple[Row, Took]] = [(row, getattr(row, of)) for row in sound]
-        ended = sum(run.ended for _, run in runs)
-        fewer = sum(run.ended and run.iterations <= row.febio.iterations for row, run in runs)
-        harmed = sum(bool(row.worse(run)) for row, run in runs)
-        parts.append(
-            f"{name} complete {ended} of these, {fewer} in at most FEBio's iterations, and {harmed} are worse."
-        )
-    parts.append(f"Worse is a run that fails, has more retries, or takes more than {MOST} times the iterations.")
-    return "\n\n".join([" ".join(parts), f"{_apart(sound)} {_predictor(rows)} {_limit(rows)}".strip()])
+    own = f"FEBio's interface completes {len(sound)} of {len(rows)} scenes. The table counts runs of these:"
+    ways = {"converted": [row.converted for row in sound], "penalties deleted": [row.defaults for row in sound]}
+    heads = ("model", "completes", "at most FEBio's iterations", "worse")
+    counts = tables.markdown(heads, ((name, *_counts(sound, runs)) for name, runs in ways.items()))
+    worse = f"A worse run fails, has more retries, or takes more than {MOST} times the iterations."
+    return "\n\n".join([own, counts, worse, f"{_apart(sound)} {_predictor(rows)} {_limit(rows)}".strip()])
+
+
+def _counts(rows: Sequence[Row], runs: Sequence[Took]) -> tuple[int, int, int]:
+    """Runs that complete, those with at most FEBio's iterations, and those that are worse than FEBio's."""
+    pairs = list(zip(rows, runs, strict=True))
+    fewer = sum(run.ended and run.iterations <= row.febio.iterations for row, run in pairs)
+    return sum(run.ended for run in runs), fewer, sum(bool(row.worse(run)) for row, run in pairs)
 
 
 def _apart(rows: Sequence[Row]) -> str:
@@ -212,9 +218,10 @@ def _apart(rows: Sequence[Row]) -> str:
     if not displacements or not fields:
         return ""
     return (
-        f"The answers are not the same: the largest difference of a displacement is {median(displacements):.1%} of the "
-        f"largest displacement in the median, and up to {displacements[-1]:.0%}. That of a field is "
-        f"{min(fields):.0%} to {max(fields):.0%} in {len(fields)} porous scenes ([which is nearer](agreement.md))."
+        f"The answers differ. The largest difference of a displacement is {_percent(median(displacements))} of the "
+        f"largest displacement in the median, and at most {_percent(displacements[-1], 0)}. The largest difference of "
+        f"a field is {_percent(min(fields), 0)} to {_percent(max(fields), 0)} of its largest value in {len(fields)} "
+        "porous scenes. [Another page](agreement.md) shows which answer is nearer to a fine mesh's."
     )
 
 
@@ -224,7 +231,7 @@ def _predictor(rows: Sequence[Row]) -> str:
     both = [(plain, predicted) for plain, predicted in runs if plain.ended and predicted.ended]
     without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
     return (
-        f"The predictor is available in {len(runs)} scenes; {sum(took.ended for _, took in runs)} of these complete. "
+        f"The predictor is available in {len(runs)} scenes. {sum(took.ended for _, took in runs)} of these complete. "
         f"The {len(both)} that complete with it and without it take {with_it} iterations with it and {without} without."
     )
 
@@ -234,4 +241,4 @@ def _limit(rows: Sequence[Row]) -> str:
     ways = {"FEBio's": "febio", "converted": "converted", "defaults": "defaults", "with the predictor": "predicted"}
     counts = {name: sum(getattr(row, way).at_limit for row in rows) for name, way in ways.items()}
     told = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
-    return f"Runs that the limit ended: {told or 'none'}."
+    return f"The limit stopped runs: {told}." if told else "The limit stopped no run."

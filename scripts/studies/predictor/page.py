@@ -21,6 +21,7 @@ def figures() -> Mapping[str, str]:
     return {
         "summary": summary_table.summary(pairs),
         "missing": _missing({pair.name for pair in pairs}),
+        "most": f"{paired_models.MOST}",
     }
 
 
@@ -31,7 +32,7 @@ def _missing(measured: set[str]) -> str:
     whole = len(fine) == len(CASES)
     named = [f"`{name}`" for name in lacking if not (whole and name in fine)]
     told = [*named, *(["hard cases on the fine mesh"] if whole else [])]
-    return f"These data leave out: {', '.join(told)}." if told else "These are all."
+    return f"The data lack {' and '.join(told)}." if told else "The data have all others."
 
 
 PAGE = EvidencePage("evidence/predictor.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

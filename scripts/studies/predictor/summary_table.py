@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from studies import tables
-from studies.predictor.paired_models import MOST, Pair, Took
+from studies.predictor.paired_models import Pair, Took
 
 
 def table(pairs: Sequence[Pair]) -> str:
@@ -30,7 +30,6 @@ def summary(pairs: Sequence[Pair]) -> str:
     predicted = sum(pair.predicted.iterations for pair in ended)
     harmed = [pair for pair in pairs if pair.harms]
     return (
-        f"{len(ended)} of {len(pairs)} models complete with the predictor and without it, in {predicted} and {without} "
-        f"iterations. The predictor does harm in {len(harmed) or 'none'} of them: a run that fails, more retries, or "
-        f"more than {MOST} times the iterations."
+        f"{len(ended)} of {len(pairs)} models complete with the predictor and without it. They take {predicted} "
+        f"iterations with it and {without} without. The predictor does harm in {len(harmed) or 'none'} of them."
     )

@@ -86,10 +86,10 @@ def headline(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
     ours = {joint.ours.scene: joint.ours for joint in measured}
     faster = sum(ours[scene].ratio > default[scene].ratio for scene in ended)
     return (
-        "FEBio's matrix is non-symmetric in the comparison. With the default of the module `solid`, a symmetric "
-        f"matrix, FEBio's interface completes {len(ended)} of the {len(default)} joints without a fluid. It takes "
+        "FEBio's matrix is non-symmetric in the comparison. Its default in the module `solid` is symmetric. FEBio's "
+        f"interface completes {len(ended)} of the {len(default)} joints without a fluid with this default. It takes "
         f"{min(iterations):.2f} to {max(iterations):.2f} times the iterations and {min(times):.2f} to {max(times):.2f} "
-        f"times the time of the non-symmetric matrix, and is then faster than `sliding-mixture` in "
+        f"times the time of the non-symmetric matrix. It is then faster than `sliding-mixture` in "
         f"{faster or 'none'} of them."
     )
 

@@ -169,19 +169,29 @@ def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
 
 
 def headline(joints: Sequence[Joint]) -> str:
-    """Of ours without the predictor over FEBio's: range of times and iterations, and in how many scenes FEBio's is the
-    faster.
-    """
-    ended = [(joint.ours, joint.febio) for joint in joints if joint.ours.ended and joint.febio.ended]
-    times = [ours.ratio for ours, _ in ended]
-    slower = sum(time > 1.0 for time in times)
-    iterations = [ours.iterations / theirs.iterations for ours, theirs in ended]
+    """Range of the times of `sliding-mixture` without the predictor over those of FEBio's interface."""
+    times = [ours.ratio for ours, _ in _both(joints)]
     return (
-        f"`sliding-mixture` and FEBio's interface both complete {len(ended)} of {len(joints)} scenes, mostly joints of "
-        f"tetrahedra. `sliding-mixture` takes {min(iterations):.2f} to {max(iterations):.2f} times FEBio's iterations "
-        f"and {min(times):.2f} to {max(times):.2f} times its time. FEBio's interface is faster in "
-        f"{slower or 'none'} of them."
+        f"`sliding-mixture` takes {min(times):.2f} to {max(times):.2f} times the time of FEBio's interface in "
+        f"{len(times)} of {len(joints)} scenes that both complete."
     )
+
+
+def details(joints: Sequence[Joint]) -> str:
+    """The scenes, the range of iterations, and in how many scenes FEBio's interface is the faster."""
+    both = _both(joints)
+    slower = sum(ours.ratio > 1.0 for ours, _ in both)
+    iterations = [ours.iterations / theirs.iterations for ours, theirs in both]
+    return (
+        "Most of the scenes are joints with tetrahedra. `sliding-mixture` takes "
+        f"{min(iterations):.2f} to {max(iterations):.2f} times the iterations of FEBio's interface. FEBio's interface "
+        f"is faster in {slower or 'none'} of the scenes."
+    )
+
+
+def _both(joints: Sequence[Joint]) -> list[tuple[JointPrice, JointPrice]]:
+    """Runs of ours and of FEBio's in the scenes that both complete."""
+    return [(joint.ours, joint.febio) for joint in joints if joint.ours.ended and joint.febio.ended]
 
 
 def joints_table(joints: Sequence[Joint]) -> str:

@@ -42,8 +42,8 @@ def figures() -> Mapping[str, str]:
     matrices = files.read_csv(DATA / MATRICES, Matrix)
     measured = joints.arranged(files.read_csv(DATA / JOINTS, JointPrice))
     return {
-        "headline": f"{_headline(costs)} {joints.headline(measured)}",
-        "details": f"{_details(costs)} {febio_matrices.headline(matrices, measured)}",
+        "headline": joints.headline(measured),
+        "details": f"{joints.details(measured)} {_details(costs)} {febio_matrices.headline(matrices, measured)}",
         "matrices": febio_matrices.matrices_table(matrices, measured),
         "joints": joints.joints_table(measured),
         "facets": str(next(iter(effects_added().values())).section),
@@ -59,21 +59,12 @@ def _by_scene(costs: Sequence[EffectCost]) -> dict[str, list[EffectCost]]:
     return found
 
 
-def _headline(costs: Sequence[EffectCost]) -> str:
-    most = max((own[0] for own in _by_scene(costs).values()), key=lambda cost: cost.share)
-    return (
-        f"The contact of thin blocks, whose part is large, takes at most {_percent(most.share)} of a run's time "
-        f"(`{most.scene}`)."
-    )
-
-
 def _details(costs: Sequence[EffectCost]) -> str:
     scenes = list(_by_scene(costs).values())
-    first, last, fixed = scenes[0][0], scenes[-2][0], scenes[-1][0]
+    most = max((own[0] for own in scenes), key=lambda cost: cost.share)
     return (
-        f"The contact takes {_percent(first.share)} with traction alone, {_percent(last.share)} with solvent and four "
-        f"solutes as well, and {_percent(fixed.share)} if nothing moves. Effects that are not exchanged have no "
-        "unknown, no matrix entry and no call."
+        f"The contact of thin blocks takes at most {_percent(most.share)} of a run's time (`{most.scene}`). An absent "
+        "effect adds no unknown, no matrix entry and no call."
     )
 
 

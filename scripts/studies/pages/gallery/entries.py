@@ -107,7 +107,7 @@ def _indentation() -> Entry:
     short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
     return Entry(
         "A semi-cylinder driven into a slab (problem 3.3)",
-        "Start here for indenters and condyles: bodies deform much, and contact grows. Open nodes have the ambient "
+        "Start here for indenters and condyles. The bodies deform much, and contact grows. Open nodes have the ambient "
         "values.",
         kept_models.INDENTATION.model(),
         replace(kept_models.INDENTATION, plot=False, grid=LEVELS[0], control=short).model(),
@@ -155,8 +155,8 @@ def _graft() -> Entry:
 def _platens() -> Entry:
     return Entry(
         "A permeable platen against an impermeable one",
-        "Start here for confined compression and permeation cells. The materials decide that one contact passes "
-        "everything, and the other traction alone.",
+        "Start here for confined compression and permeation cells. One contact passes everything. The other one passes "
+        "traction alone, because of its materials.",
         kept_models.PLATENS.model(),
         platens.Platens(elements=5, control=Control(10, 100.0)).model(),
         UPRIGHT,
