@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from scenes.cam import Cam
 
+from harness.conversion import convert
 from harness.models.parts import Param, TimeStepper
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
@@ -18,6 +19,7 @@ from studies.ablation import ablated_runs
 from studies.models import small
 from studies.models.ball_in_socket import BallInSocket
 from studies.models.small import Document, Parts
+from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 
 pytestmark = pytest.mark.mixture_only
 
@@ -130,3 +132,18 @@ def test_a_matrix_that_leaves_too_much_of_the_residual_is_formed_anew(runner, tm
     assert kept.retries == 0
     assert kept.reformations < full.reformations
     assert kept.iterations <= 2 * full.iterations
+
+
+def test_corrections_that_do_not_pay_end_with_the_second_matrix_of_a_step(runner, tmp_path):
+    """A strip that folds: most of its nodes come into contact within one step, and iterations with corrections repeat themselves."""
+    path = tmp_path / "fold.feb"
+    text = convert.convert(SCENES["fold"].write("fold", tmp_path)).data.decode()
+    path.write_text(re.sub("<max_ups>.*?<", "<max_ups>10<", text))
+    kept, log = _run(path)
+    path.write_text(re.sub("<max_ups>.*?<", "<max_ups>0<", text))
+    full, _ = _run(path)
+    assert kept.normal
+    assert full.normal
+    assert re.search(r"\bkept_matrix \d+", log)
+    assert kept.reformations < full.reformations
+    assert kept.iterations <= 1.1 * full.iterations
