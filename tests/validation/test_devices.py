@@ -135,7 +135,7 @@ def test_a_matrix_that_leaves_too_much_of_the_residual_is_formed_anew(runner, tm
 
 
 def test_corrections_that_do_not_pay_end_with_the_second_matrix_of_a_step(runner, tmp_path):
-    """A strip that folds: most of its nodes come into contact within one step, and iterations with corrections repeat themselves."""
+    """A strip that folds: corrections leave much of the residual in the steps in which its sides meet."""
     path = tmp_path / "fold.feb"
     text = convert.convert(SCENES["fold"].write("fold", tmp_path)).data.decode()
     path.write_text(re.sub("<max_ups>.*?<", "<max_ups>10<", text))

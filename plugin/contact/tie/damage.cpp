@@ -9,7 +9,7 @@ namespace {
 
 /// What a node dissipates as it goes on from the accepted damage, and the damage that it comes to.
 struct Advance {
-  double damage;
+  double damage = 0;
   Dissipated energy;
   double opening = 0;  ///< [mm]
 };
