@@ -30,7 +30,7 @@ class AmbientConditions {
  private:
   struct NodeStatus {
     bool in_contact;
-    const ContactInModel* ambient;  ///< the first free-draining contact of the node says what its ambient values are
+    const ContactInModel* ambient;  ///< the first free-draining contact of the node, which gives its ambient values
   };
   /// A node, or that of the back face of a shell.
   using Face = std::pair<int, bool>;

@@ -1,5 +1,4 @@
-/// Setting up a contact: what the model's parameters, surfaces and materials are to the core, and what is wrong with
-/// them.
+/// Setup of a contact: parameters, surfaces and materials of the model as the core takes them, and their faults.
 #pragma once
 
 #include "ambient_concentration.h"
@@ -26,13 +25,13 @@ class ContactSetup {
                const AmbientConcentrations& ambient, const ContactLog& log)
       : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), ambient_(ambient), log_(log) {}
 
-  // Each says in the log what is wrong, and returns whether nothing is.
+  // Each function logs the faults, and returns whether there are none.
   bool check_parameters() const;
   bool check_surfaces() const;
   bool check_ambient() const;
   bool check_mesh_adaptors() const;
 
-  /// Makes the core from the materials. Returns whether that is possible; the log says if not.
+  /// Makes the core from the materials. Returns false, and logs the reason, if that is impossible.
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
@@ -69,7 +68,7 @@ class ContactSetup {
   const ContactParameters& parameters_;
   const AmbientConcentrations& ambient_;
   const ContactLog& log_;
-  std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
-  FrictionRequest friction_;                       ///< what parameters and materials say of friction
-  std::string summary_;                            ///< what the log said last of the effects
+  std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides allow
+  FrictionRequest friction_;                       ///< friction by parameters and materials
+  std::string summary_;                            ///< the last line of the log on the effects
 };

@@ -1,4 +1,4 @@
-/// <solute_permeance> and <reflection>: what a membrane lets pass of one solute.
+/// <solute_permeance> and <reflection>: the coefficients of a membrane for one solute.
 #pragma once
 
 #include "host/contact_parameters.h"

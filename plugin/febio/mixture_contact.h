@@ -79,7 +79,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
  private:
   mixture_contact::ContactInterface& core() const { return bound_.core(); }
-  /// Reads what the model has as properties, or an owner gives.
+  /// Reads the properties that the model or an owner gives.
   void read_properties();
   void find_self_contact();
   /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.

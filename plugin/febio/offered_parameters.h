@@ -24,7 +24,7 @@ inline const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
-/// Adds a parameter to its group; what FEBio Studio does not offer is hidden.
+/// Adds a parameter to its group, and hides it if FEBio Studio does not offer it.
 template <class Value>
 void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& value) {
   owner.BeginParameterGroup(heading(tag.group));

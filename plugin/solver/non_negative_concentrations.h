@@ -20,7 +20,7 @@ class NonNegativeConcentrations : public Helper {
  public:
   explicit NonNegativeConcentrations(Solver& solver) : solver_(solver) {}
 
-  /// Holds again what was held at the end of the last step: the active set seldom changes much.
+  /// Holds the concentrations that were held at the end of the last step: the active set seldom changes much.
   void begin_iterations() override;
   /// Holds concentrations that have become negative in the solver's vectors, and frees held ones whose balance wants
   /// them positive.

@@ -46,7 +46,8 @@ class PastSteps {
   /// The error of the best curve for the last change, as a part of it; 1 where there is no curve.
   double prediction_error() const { return error_; }
 
-  /// Calls `use` with each part of the state, for restart files. Changes come before what was chosen by them.
+  /// Calls `use` with each part of the state, for restart files. Changes come before the curves that they have
+  /// selected.
   template <class Use>
   void for_each_part(const Use& use);
 

@@ -10,7 +10,7 @@
 ///   u = theta P + K^-1 R(x + P),   that is   K u = R(x + P) + theta K P .
 ///
 /// Its tests therefore see by how much the increment corrects the prediction, next to the change of the whole step, and
-/// a step may end with its first iteration. They require what they require of any later iteration.
+/// a step may end with its first iteration. They are as strict as in any later iteration.
 ///
 /// A predicted state is dropped, and the state of the plain start restored, where an element is inverted there, or
 /// where the residual is larger than that of the plain start: free values unchanged, prescribed ones at their new
@@ -26,7 +26,7 @@
 namespace newton {
 
 /// A failed attempt shows that steps as long as it are not smooth. After it as many steps start plainly as the curves
-/// take changes from, so that they have only seen what came after.
+/// take changes from, so that the curves contain later states alone.
 inline constexpr int plain_steps_after_failure = 5;
 
 class Predictor : public Helper {

@@ -40,14 +40,14 @@ class MatrixPart {
 /// The parts of several contacts, of which D is the sum.
 using MatrixParts = std::vector<const MatrixPart*>;
 
-/// Whether there is nothing in any of them.
+/// Whether all parts are empty.
 bool are_empty(const MatrixParts& parts);
 
 /// The result of splitting for one right-hand side.
 struct Split {
-  std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero
+  std::vector<double> product;  ///< D x: K x' = b - D x gives the solution of K + D; empty for zero
   bool converges = true;        ///< whether each iteration halved the change, at least
-  std::vector<double> x;        ///< that of the product; empty where there is nothing to multiply
+  std::vector<double> x;        ///< the x of `product`; empty if D is zero
   double change = 0;            ///< D times the change of x by the iteration that made it
   double reduction = 0;         ///< of such a change, by another iteration
 };

@@ -50,7 +50,7 @@ class FEBioSolver : public Solver {
  private:
   FEModel& fem_;
   std::unique_ptr<DumpMemStream> saved_;
-  bool forces_matrix_ = false;  ///< what the solver had planned when its state was saved
+  bool forces_matrix_ = false;  ///< the solver's plan when its state was saved
 };
 
 }  // namespace newton
