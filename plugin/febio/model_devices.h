@@ -1,5 +1,4 @@
-/// The devices of the solver in a model: which its contacts leave on, how often they act, and what the log says of
-/// them.
+/// The devices of the solver in a model: switches of its contacts, counts of their actions, and lines of the log.
 #pragma once
 
 #include "contact_in_model.h"

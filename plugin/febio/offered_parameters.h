@@ -36,7 +36,7 @@ void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& va
   if (tag.choices != nullptr) parameter->setEnums(tag.choices);
 }
 
-/// Notes which parameters load curves change; for_each(take) calls take(tag, value) for each. Returns what is wrong
+/// Notes the parameters that load curves change; for_each(take) calls take(tag, value) for each. Returns the faults
 /// with these curves, one sentence each.
 template <class ForEach>
 std::vector<std::string> find_load_curves(FECoreBase& owner, const ForEach& for_each) {

@@ -1,5 +1,5 @@
-/// The parameters of <contact type="sliding-mixture"> in a model file, and what they mean to the contact core. Shared
-/// by the hosts.
+/// The parameters of <contact type="sliding-mixture"> in a model file, and their meaning to the contact core. Shared by
+/// the hosts.
 #pragma once
 
 #include "contact/base/effects.h"
@@ -85,7 +85,7 @@ struct FrictionParameters {
   Varying tangential_penalty{{1}};  ///< over the traction penalty [-]
 };
 
-/// A film between the surfaces; what is not given crosses freely.
+/// A film between the surfaces; fields without a coefficient cross freely.
 struct MembraneParameters {
   Varying conductance;                  ///< <hydraulic_conductance> [length^3/(force time)]
   std::vector<SoluteValue> permeance;   ///< <solute_permeance> [length/time]
@@ -186,7 +186,7 @@ constexpr const char* heading(ParameterGroup group) {
 /// The form of a parameter in a model file.
 struct ParameterTag {
   const char* name = "";
-  const char* long_name = "";  ///< what a user reads in FEBio Studio
+  const char* long_name = "";  ///< name in FEBio Studio
   ParameterGroup group = ParameterGroup::old_models;
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
@@ -357,8 +357,8 @@ enum class SolverKind {
   explicit_dynamics    ///< the stiffer the contact, the shorter the critical time step
 };
 
-/// The core's settings. `reduction`: what an automatic penalty of the traction is divided by, but not below the
-/// stiffness of the bodies; one that is given stays as it is.
+/// The core's settings. `reduction`: divisor of an automatic penalty of the traction, but not below the stiffness of
+/// the bodies; one that is given stays as it is.
 mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
                                         const mixture_contact::ReducedPenalty& reduction = {});
 /// Whether a reduction has an effect.

@@ -1,4 +1,4 @@
-/// Membranes between the surfaces: what a model says of them, and what is wrong with that.
+/// Membranes between the surfaces: their parameters in a model, and faults of these.
 #pragma once
 
 #include "contact/base/effects.h"

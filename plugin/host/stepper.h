@@ -1,8 +1,8 @@
 /// The order of a host's calls around a contact: time steps, iterations, trials, augmentations.
 ///
 /// A host solves a step by Newton's method. The contacts of its model are in one of a few phases between two of its
-/// calls, and the phase alone decides what a call means. The machine knows no host: it receives events and returns
-/// the actions that follow.
+/// calls, and the phase alone decides the meaning of a call. The machine knows no host: it receives events and returns
+/// actions.
 ///
 ///     converged ---evaluate---> begun ---prepare_step---> step_prepared
 ///     begun, step_prepared, evaluated, uncorrected ---form_matrix---> forming, forming_loads, forming_anew

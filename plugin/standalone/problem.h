@@ -1,4 +1,4 @@
-/// A model at work: its current state, and what acts on it.
+/// A model in a run: its current state, loads and conditions.
 #pragma once
 
 #include "contact.h"
@@ -38,7 +38,7 @@ class Problem {
 
   /// Switches nodes outside contact to ambient values, and frees the others. Returns whether anything changed.
   bool switch_ambient();
-  /// Adds a change to the nodal values, and what is pending.
+  /// Adds a change and the pending changes to the nodal values.
   void advance(const VectorXd& change);
   /// Prescribed increments that are not yet in the nodal values.
   const VectorXd& pending() const { return pending_; }

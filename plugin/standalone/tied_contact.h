@@ -10,7 +10,7 @@ namespace standalone {
 /// One tie. Its state, besides the core's multipliers, are the current nodal values that the caller passes.
 class TiedContact {
  public:
-  /// Finds what is tied in the reference configuration. Throws InputError where nothing can be.
+  /// Finds the tied nodes in the reference configuration. Throws InputError if there are none.
   TiedContact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
 
   mixture_contact::Tie& core() const { return *core_; }

@@ -43,7 +43,7 @@ class Tag {
 
   std::string name() const { return element_->Name(); }
   int line() const { return element_->GetLineNum(); }
-  /// Throws the InputError "file, line 12, <tag>: what".
+  /// Throws the InputError "file, line 12, <tag>: text".
   [[noreturn]] void fail(const std::string& what) const;
   /// Fails where this tag or one in it holds a tag that was not read. Any tag may have a name.
   void check() const;
@@ -92,7 +92,7 @@ class Tag {
 /// the file is missing, too large or no XML.
 void read_xml(const std::string& path, const std::function<void(const Tag&)>& read);
 
-/// Names in quotes with commas between, to say what is allowed.
+/// Names in quotes with commas between, for lists of allowed names.
 template <class List>
 std::string listed(const List& names) {
   std::string list;

@@ -19,7 +19,7 @@ inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(
 enum class FrictionKind : std::uint8_t {
   none,
   on_traction,   ///< the traction
-  on_solid_part  ///< what of it the fluid, of both sides or of the one that has it, does not bear
+  on_solid_part  ///< its part that the fluid, of both sides or of the one that has it, does not bear
 };
 
 /// The effects that two surfaces exchange. Scalar fields are counted solvent first (if exchanged),

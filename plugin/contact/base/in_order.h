@@ -14,8 +14,8 @@
 namespace mixture_contact {
 
 /// Results of a loop in groups that follow each other: any thread makes the next group, one thread uses the groups in
-/// ascending order. Few groups are held at once, so that what is used is still in the cache and its memory serves the
-/// groups to come.
+/// ascending order. Few groups are held at once, so that a used group is still in the cache, and later groups use its
+/// memory again.
 template <class Result, class Workspace, class Fill, class Use>
 class OrderedResults {
  public:
@@ -106,11 +106,10 @@ class OrderedResults {
   const Use& use_;
 };
 
-/// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on,
-/// use(i, result), in ascending order on the calling thread, while the others go on: sums and calls of a host come in
-/// the same order whatever the number of threads. Each thread has a copy of the workspace, and results are copies of
-/// the empty one at first, then what others have been used as: what they have of memory serves again. `use` has no
-/// other threads to share its own work with.
+/// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on, use(i,
+/// result), in ascending order on the calling thread, while the others go on: sums and calls of a host come in the same
+/// order whatever the number of threads. Each thread has a copy of the workspace, and results are first copies of the
+/// empty one, then used results, whose memory serves again. `use` has no other threads to share its own work with.
 template <class Workspace, class Result, class Fill, class Use>
 void in_order_with(const Workspace& workspace, const Result& empty, Index count, const Fill& fill, const Use& use) {
   const int threads = thread_count();

@@ -24,7 +24,7 @@ inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Tas
 
 /// Seconds, by effect and task.
 struct TimingBreakdown {
-  double shared = 0;    ///< what all effects need: search, geometry, status
+  double shared = 0;    ///< shared by all effects: search, geometry, status
   double traction = 0;  ///< the traction alone
   double friction = 0;  ///< friction alone
   VectorXd fields;      ///< each exchanged scalar field alone, in the order of Effects
@@ -112,10 +112,10 @@ inline Index stands_for(Index number, Index count) {
   return number % each == 0 ? each : 0;
 }
 
-/// Charges the work on one pair of facets to effects, on any thread: each call charges what has passed since the last.
+/// Charges the work on one pair of facets to effects, on any thread: each call charges the time since the last.
 class ScopedTimer {
  public:
-  /// times: what is charged; stands_for: for how many pairs, of which 0 are not timed.
+  /// `times`: the charged times; `stands_for`: number of pairs that a timed one represents; 0 is not timed.
   ScopedTimer(EffectTimings& times, Index fields, Index stands_for = 1) : times_(times) {
     if (stands_for > 0) running_.emplace(fields, static_cast<double>(stands_for));
   }
@@ -181,7 +181,7 @@ class TaskClock {
     call();
     spent_.host += watch.lap();
   }
-  /// Takes over what threads have charged to effects, `threads` at a time.
+  /// Takes over the times that threads have charged to effects, `threads` at a time.
   void take(EffectTimings& times, int threads) {
     const TimingBreakdown spent = times.take();
     spent_.traction += spent.traction / threads;

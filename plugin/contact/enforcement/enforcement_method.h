@@ -1,4 +1,4 @@
-/// How the conditions of contact are enforced at nodes: what takes the place of gaps and jumps that are exactly zero.
+/// The enforcement of the conditions of contact at nodes, by penalties or by unknown multipliers.
 #pragma once
 
 #include "conditions/nodal_laws.h"

@@ -43,9 +43,9 @@ class MovingGeometry : public ContactGeometry {
                                   const NodalLoads* predicted) const;
   /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
   bool find_points(const FacingPositions& x);
-  /// Holds nothing any more; the next iterations may take over what there was.
+  /// Drops the linearisation; the next iterations may reuse it.
   void let_go();
-  /// Linearises, and holds what an iteration does.
+  /// Linearises at a state, and holds the result for an iteration.
   void hold(LinearisationPoint point, const FacingFields& fields);
   /// The geometric part of the tangent that is held for these positions; null where none is.
   const GeometricPart* geometric_at(const FacingPositions& x) const;

@@ -1,4 +1,4 @@
-/// A contact surface as data: facets, what may pass through them, and the fields on its nodes.
+/// A contact surface as data: facets, the fields that they let through, and the values at its nodes.
 #pragma once
 
 #include "base/effects.h"

@@ -19,7 +19,7 @@ inline Index number_of(const FacetPair& pair, const IndexedVector<FacetPair>& pa
 
 class FacingPairs {
  public:
-  /// Keeps references to the surfaces and what they exchange.
+  /// Keeps references to the surfaces and their effects.
   FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
@@ -96,7 +96,7 @@ class FacingPairs {
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
   IndexedVector<PointKinematics>
-      kinematics_;                   ///< of points of pairs that are not flat, and what serves the next search
+      kinematics_;                   ///< of points of pairs that are not flat, with start values of the next search
   IndexedVector<Index> first_kept_;  ///< per pair the place of its first point among those
   IndexedVector<FlatPair> flat_;     ///< per pair, of those that are
   std::optional<NodeFlags> restriction_;

@@ -21,8 +21,8 @@ namespace mixture_contact {
 /// Bounds of c = -n1.n2 between which the share grows.
 inline constexpr double least_opposition = 0.5;
 inline constexpr double full_opposition = 0.57735026918962;  // 1/sqrt(3), not more
-/// How far parallel facets see each other ahead, over the longest edge of the one that looks: what lies farther ahead
-/// touches no node of it where surfaces bend gently, but would spoil its averages.
+/// The distance of the search between parallel facets, over the longest edge of the searching one: farther facets touch
+/// no node of it if surfaces bend gently, but would spoil its averages.
 inline constexpr double parallel_reach = 0.25;
 
 /// Unit normal in the middle of a facet.

@@ -31,8 +31,8 @@ struct FacetPair {
   Index first = 0;   ///< of the points in between, among those of all pairs
   Index points = 0;  ///< how many there are
   /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface goes on across all
-  /// edges that they end at within the facet. A pair gains, as such an edge moves, what the next one loses: no sum over
-  /// the pairs depends on how their points move.
+  /// edges that they end at within the facet. As such an edge moves, one pair gains the area that the next one loses:
+  /// no sum over the pairs depends on the motion of their points.
   bool unbroken = false;
 };
 
@@ -75,7 +75,7 @@ using UseMotion = std::function<void(const PointMotion&)>;
 /// Calls `use` for so many points that do not move.
 void use_no_motion(Index points, const UseMotion& use);
 
-/// Finds the integration points of a primary surface and what they are paired with on a secondary one.
+/// Finds the integration points of a primary surface and their opposite points on a secondary one.
 class PointFinder {
  public:
   PointFinder() = default;
@@ -151,8 +151,8 @@ class GaussPoints : public PointFinder {
   static constexpr int most_losses = 2;
   /// The secondary facets that a point was paired with, or unpaired.
   struct ProjectionHistory {
-    int facet = unpaired;         ///< what the last search() found
-    int at_iteration = unpaired;  ///< its pair as the iteration began
+    int facet = unpaired;         ///< result of the last search()
+    int at_iteration = unpaired;  ///< pair at the start of the iteration
     int last = unpaired;          ///< the last pair as an iteration of the step began
     int losses = 0;               ///< how often the projection was lost since the iteration before
 

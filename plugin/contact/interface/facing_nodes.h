@@ -23,9 +23,9 @@ struct FacingNode {
   bool in_contact = false;
 };
 
-/// As the settings say. If they leave it open: behind, where bodies overlap, as far as half the smaller surface is
-/// large, since bodies hide what lies behind them; ahead by a quarter of a facet, more where they tilt, or as far as
-/// behind with tension and where a body meets itself. Surfaces that meet within a step find each other once they
+/// The search radius of the settings. Its default behind the facet, for overlapping bodies, is half the size of the
+/// smaller surface, because bodies hide the surfaces behind them. Ahead it is a quarter of a facet, and more for tilted
+/// facets; with tension and self-contact, it is that behind. Surfaces that meet within a step find each other once they
 /// overlap.
 Reach reach_of(const Settings& settings, const FacingPositions& x);
 

@@ -17,7 +17,7 @@ struct Measurements {
 
   explicit Measurements(Index fields) : timings(fields) {}
 
-  /// Times a task. A host does the same around its calls; what a contact times within is not counted twice.
+  /// Times a task. A host also times its calls; times of a contact within them do not count twice.
   TaskClock clock(Task task) { return TaskClock(timings[task]); }
   void note(const Memory& now) {
     if (now.bytes >= memory.bytes) memory = now;

@@ -13,7 +13,7 @@ namespace mixture_contact {
 
 class MortarSpace {
  public:
-  /// Keeps references to the surfaces and what they exchange.
+  /// Keeps references to the surfaces and their effects.
   MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
