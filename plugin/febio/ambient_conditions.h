@@ -1,7 +1,7 @@
 /// Ambient (free-draining) conditions on the nodes of contact surfaces that are not in contact.
 ///
 /// FEBio's solvers switch ambient nodes only for contact classes that they know by name, so the plugin does it, once
-/// for all contacts of a model: a node is at ambient only where no contact has it.
+/// for all contacts of a model: a node has ambient values only if it is open in all contacts.
 #pragma once
 
 #include "contact_in_model.h"

@@ -16,7 +16,7 @@ using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
 SolverKind solver_kind_of(FEModel& fem);
 /// The time step in which elements store solvent [s]; 0 in a steady state.
 double storing_time_step(FEModel& fem);
-/// Whether the solvers of all steps can have multipliers of some node as unknowns; the log says why not.
+/// Whether the solvers of all steps can have multipliers of nodes as unknowns; the log gives the reason if not.
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
 
 class ContactSetup {
@@ -35,8 +35,8 @@ class ContactSetup {
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
-  /// Takes penalties and tolerances as their load curves say at this time; automatic penalties of the traction are
-  /// reduced as `reduction` says.
+  /// Sets penalties and tolerances by their load curves at this time; `reduction` reduces automatic penalties of the
+  /// traction.
   void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
   /// Updates the laws by load curves, see update_laws(), where all values make sense. Returns whether they do; the log
   /// says which do not.

@@ -40,7 +40,7 @@ struct MembraneProperties {
   std::vector<FEMixtureReflection*> reflections;
 };
 
-/// Takes the values that the model gives a membrane as their load curves say.
+/// Sets the values of a membrane by the model and its load curves.
 void read_membrane(const MembraneProperties& properties, MembraneParameters& membrane);
 
 /// The values of properties with a solute each.

@@ -82,7 +82,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   /// Reads the properties that the model or an owner gives.
   void read_properties();
   void find_self_contact();
-  /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
+  /// Elements have eroded, or meshes have been refined: the contact continues with the present facets.
   void follow_surfaces();
   /// Surfaces whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
   mixture_contact::PerSide<bool> surfaces_with_load_equations() const;

@@ -16,13 +16,13 @@ class ModelDevices {
 
   /// Whether a device may act at present.
   bool is_on(newton::Device device) const;
-  /// The fault of those that a contact gives, given the others: a sentence, or none.
+  /// The fault of a contact's devices, given those of the others: a sentence, or none.
   std::string complaint(ContactInModel& contact) const;
-  /// Says at the first step which are on.
+  /// Logs the active devices at the first step.
   void introduce();
-  /// Counts those that a matrix rests on which has been formed.
+  /// Counts the devices that a new matrix uses.
   void count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations);
-  /// A step has failed: has it tried again without devices, and the next attempt after that with them.
+  /// A step has failed. Switches devices off for the next attempt, and on for the one after it.
   void fail_step(bool is_tried_again);
   newton::DeviceRecord& record() { return record_; }
 

@@ -358,7 +358,7 @@ enum class SolverKind {
 };
 
 /// The core's settings. `reduction`: divisor of an automatic penalty of the traction, but not below the stiffness of
-/// the bodies; one that is given stays as it is.
+/// the bodies; a given one does not change.
 mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
                                         const mixture_contact::ReducedPenalty& reduction = {});
 /// Whether a reduction has an effect.

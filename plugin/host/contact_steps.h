@@ -44,7 +44,7 @@ class SteppedContact {
 /// How a host's method uses matrices.
 enum class MatrixUse {
   each_iteration,  ///< full Newton: a new one for each
-  kept,            ///< quasi-Newton, modified Newton: one serves several iterations
+  kept,            ///< quasi-Newton, modified Newton: several iterations use one
   none             ///< products with the tangent are differences of residuals
 };
 
@@ -103,7 +103,7 @@ class ContactSteps {
 
   // Calls for the model
   void matrix_formed();
-  /// An iteration of a host has ended that is to go on.
+  /// An iteration of a host has ended, and the host continues.
   void end_iteration();
   void end_step() { helpers_.end_step(); }
   /// The state at the start of a failed attempt has been restored.

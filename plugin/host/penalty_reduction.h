@@ -1,7 +1,7 @@
 /// Automatic penalties of the traction that are reduced where time steps fail.
 ///
-/// A penalty is a device, no property of the scene: a hard contact can invert an element where a softer one does not.
-/// There is one state for a model, since a step that fails does not show which of its contacts is to blame.
+/// A penalty is a device, no property of the scene: a hard contact can invert an element where a softer one does not. A
+/// model has one state, because a failed step does not show which contact caused the failure.
 ///
 ///     full or reduced ---fail---> the softest level, the stiffness of the bodies
 ///     reduced ---accept, as often as the patience asks---> one level less, in the end full

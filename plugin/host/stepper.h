@@ -48,7 +48,7 @@ class Stepper {
     keep_active_set,    ///< of a trial: nothing changes
     begin_anew,         ///< a step or an augmentation: drop the held linearisation, and begin an iteration
     go_on,              ///< convergence was rejected: begin an iteration from the prediction of the last one
-    keep_linearisation  ///< convergence was rejected: the iteration goes on with the held linearisation
+    keep_linearisation  ///< convergence was rejected: the iteration continues with the held linearisation
   };
   Evaluation evaluate();
 

@@ -96,7 +96,8 @@ class Helpers {
   bool multiply_by_matrix() const;
   void end_step();
   void rewind();
-  /// Has the helper that holds a nodal value, if there is one, keep it or yield it. Returns whether it is kept.
+  /// Makes the helper that holds a nodal value, if there is one, keep it (`keep`) or yield it. Returns whether the
+  /// helper keeps the value.
   bool keeps(Place place, bool keep);
   void archive(Archive& archive);
 
@@ -116,11 +117,10 @@ class Helpers {
   /// Calls `use` with each helper that is on.
   template <class Use>
   void for_each(const Use& use) const;
-  /// Whether the answer of a helper that is on is yes; after the first one no more are asked.
+  /// Whether any helper that is on answers yes; stops at the first one.
   template <class Ask>
   bool any(const Ask& ask) const;
-  /// Whether the answer of a helper that is on is yes, by which it acts: its device counts that. No more are asked
-  /// after the first one.
+  /// Whether any helper that is on answers yes and so acts, which its device counts; stops at the first one.
   template <class Ask>
   bool any_acts(const Ask& ask);
 

@@ -34,7 +34,7 @@ class Predictor : public Helper {
   explicit Predictor(Solver& solver) : solver_(solver) {}
 
   std::string unavailable() const override;
-  /// Whether the step that begins is to start at a predicted state.
+  /// Whether the new step starts at a predicted state.
   bool will_predict() const;
   bool predict(const std::function<void()>& arrived) override;
   /// The right-hand side R(x + P) + theta K P.

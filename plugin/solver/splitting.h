@@ -65,8 +65,8 @@ struct SeenSweeps {
 };
 
 /// Solves (K + D) x = b except for its last iteration, which is left to the caller: K x' = b - D x. The product D x' is
-/// right to `tolerance`, a part of it, or to that of those `seen`; if iterations do not converge it is as it was
-/// before the first that made the change larger, if there is one.
+/// right to `tolerance`, a part of it, or to that of those `seen`; if the iterations do not converge, it is that before
+/// the first iteration with a growing change.
 Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
             const SeenSweeps& seen = {});
 

@@ -21,7 +21,7 @@ class Contact {
   const ContactDefinition& definition() const { return definition_; }
   mixture_contact::ContactInterface& core() const { return *core_; }
   const std::vector<int>& nodes(Side side) const { return surfaces_.nodes(side); }
-  /// A line that says which effects the contact exchanges, and why others are absent.
+  /// A line with the exchanged effects of the contact, and the reason for each absent one.
   const std::string& effects_line() const { return effects_line_; }
 
   /// Takes laws as they are at the end of a step of `dt` [s]: friction knows the ambient pressure, and an automatic

@@ -76,7 +76,7 @@ class Tag {
   /// Takes the number of a child, if there is one.
   void take(const char* name, double& value, const Range& range) const;
   void take(const char* name, int& value, int least, int most = std::numeric_limits<int>::max()) const;
-  /// Sees to it that a child, if there is one, says one of these words.
+  /// Checks that a child, if there is one, contains one of these words.
   void must_be(const char* name, const Names& words) const;
 
  private:

@@ -40,12 +40,12 @@ struct ActiveSetOptions {
   /// The next iteration keeps a linearisation if its correction has left less than this part of the error of the loads.
   /// The size is a choice: corrections that converge leave a tenth each.
   double most_left = 0.5;
-  /// Nodes at most whose status may be another one than in the linearisation that a matrix is of, as its first
-  /// iteration begins: each costs the host a back substitution, for an iteration less. The size is a choice, above the
-  /// fifty that a joint of tetrahedra asks for as it is pressed together.
+  /// The largest number of nodes that may change their status against the linearisation of a matrix in its first
+  /// iteration: each takes the host a back substitution, and together they save an iteration. The size is a choice
+  /// above the fifty nodes of a joint of tetrahedra at its first load.
   Index most_changed = 60;
-  /// The counterpart of most_changed for an iteration that goes on with the matrix: for another matrix less, which
-  /// costs fifty of them or more. The size is a choice below that.
+  /// The counterpart of most_changed for an iteration that keeps the matrix: it saves a matrix, which takes as long as
+  /// fifty back substitutions or more. The size is a choice below that.
   Index most_changed_again = 40;
 };
 
@@ -104,8 +104,8 @@ class ActiveSet {
 
   /// Resets the counts of changes.
   void start_counting();
-  /// The status of the next iteration: the updated one, but where changes lead in cycles. Counts changes where the
-  /// status before was that of an iteration, too.
+  /// The status of the next iteration: the updated one, except for cycles. Counts changes if the status before also
+  /// belongs to an iteration.
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
   /// Whether a solution has nodes at the edge of contact that have to be tried once more: their many changes may come
@@ -117,8 +117,8 @@ class ActiveSet {
   NodeFlags initial_slip(const NodalLoads& now) const;
   /// Nodes that slide by the predicted loads of an iteration; loads with friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
-  /// Nodes that slide in the next iteration, at the loads `now`: those of updated_slip(), but where changes lead in
-  /// cycles; nodes that come into contact there as their own trial says. Counts changes.
+  /// Nodes that slide in the next iteration, at the loads `now`: those of updated_slip(), except for cycles; nodes that
+  /// close slide by their own trial. Counts changes.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
   /// The slip of loads of the last iteration that stays at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
@@ -128,7 +128,7 @@ class ActiveSet {
   /// Nodes with a positive friction bound by the loads that an iteration predicts.
   NodeFlags updated_rubs(const NodalLoads& predicted) const;
   /// Nodes with a positive friction bound in the next iteration, at the loads `now`: those of updated_rubs(); nodes
-  /// that come into contact there as their own loads have it.
+  /// that close have it by their own loads.
   NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
   /// The positive bound of loads of the last iteration that stays at another state within a step.
   NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;
@@ -139,15 +139,15 @@ class ActiveSet {
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
   /// The traction that counts.
   double negligible(double largest_traction, double surface_size) const;
-  /// How near to the bound trials do not decide, for nodes at the edge of sliding and for others.
+  /// The band around the bound in which trials do not decide, for nodes at the edge of sliding and for others.
   struct FrictionBands {
     double elsewhere;
     double at_edge;
   };
   FrictionBands friction_bands(const NodalLoads& predicted) const;
   double friction_band(const FrictionBands& bands, Index node) const;
-  /// Whether it is to do so without sticking first: it slides back by more than turning its friction round can hold, by
-  /// the stiffness of the adjoining elements. Once in a step: where it should stick, the next iteration has it stick.
+  /// Whether a node reverses its slip without sticking first: by the stiffness of the adjoining elements, reversed
+  /// friction cannot hold it. Happens once in a step; if the node should stick, it sticks in the next iteration.
   bool turns_round(const NodalLoads& predicted, Index node) const;
   /// Whether a node was in contact and not flux-coupled in the last accepted step.
   bool was_at_edge(Index node) const;

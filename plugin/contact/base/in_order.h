@@ -51,7 +51,7 @@ class OrderedResults {
   static constexpr Index least_groups_per_thread = 16;
   static constexpr Index groups_per_thread = 4;
 
-  /// Calls `step`, which returns whether it found something to do, until nothing remains or a thread has failed.
+  /// Calls `step` until it returns that no work remains, or until a thread has failed.
   template <class Remains, class Step>
   void run(const Remains& remains, const Step& step) {
     try {
@@ -107,9 +107,9 @@ class OrderedResults {
 };
 
 /// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on, use(i,
-/// result), in ascending order on the calling thread, while the others go on: sums and calls of a host come in the same
-/// order whatever the number of threads. Each thread has a copy of the workspace, and results are first copies of the
-/// empty one, then used results, whose memory serves again. `use` has no other threads to share its own work with.
+/// result), in ascending order on the calling thread, while the others continue: sums and calls of a host come in the
+/// same order whatever the number of threads. Each thread has a copy of the workspace, and results are first copies of
+/// the empty one, then used results, whose memory serves again. `use` has no other threads to share its own work with.
 template <class Workspace, class Result, class Fill, class Use>
 void in_order_with(const Workspace& workspace, const Result& empty, Index count, const Fill& fill, const Use& use) {
   const int threads = thread_count();

@@ -59,7 +59,7 @@ void in_parallel(Index count, const Body& body) {
   in_parallel_with<together>(std::monostate(), count, [&](Index i, std::monostate& /*none*/) { body(i); });
 }
 
-/// use(i, make(i)) for each i below `count`. Nothing is held: the memory of a result serves the next one.
+/// use(i, make(i)) for each i below `count`. No result is kept: the next one uses its memory again.
 template <class Make, class Use>
 void one_by_one(Index count, const Make& make, const Use& use) {
   for (Index i = 0; i < count; ++i) {

@@ -79,9 +79,8 @@ struct FrictionRule {
 /// factor sharpens.
 inline constexpr double default_traction_factor = 1e3;
 inline constexpr double default_flux_factor = 1e5;
-/// Default multiples with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
-/// where curved surfaces close, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields
-/// of both.
+/// Default multiples with two passes. These have twice as many conditions as the surfaces can meet: on closing curved
+/// surfaces, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields of both.
 inline constexpr double two_pass_traction_factor = 1e2;
 inline constexpr double two_pass_flux_factor = 1e3;
 /// Default multiple of the stiffness for surfaces that pull: the first iteration pulls all surfaces within the search
@@ -140,7 +139,7 @@ struct Settings {
   ReducedPenalty reduced_traction;
   Tolerances tolerances;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
-  bool symmetric = false;  ///< hand out the symmetric part of the tangent
+  bool symmetric = false;  ///< return the symmetric part of the tangent
   GapRule gap;
   Integration integration = Integration::segments;
   int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on

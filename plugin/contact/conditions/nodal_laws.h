@@ -78,7 +78,7 @@ class NodalLaws {
   /// Friction penalties of all nodes, before slow augmentations have built them up.
   VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
 
-  // The largest multiples of stiffness and conductance that augmentations may bring penalties to
+  // Limits of augmented penalties, as multiples of stiffness and conductance
   double largest_traction_factor() const {
     return normal().penalty_factor(has_twin()) / settings_.reduced_traction.divisor;
   }
@@ -126,9 +126,9 @@ class NodalLaws {
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;
-  /// Whether an attempt at a step begins in contact around all points that overlap: one after an attempt that has
-  /// failed for want of contact, or before contact has borne anything. Too few nodes may leave a body free to turn. A
-  /// node that closes so opens again where it is pulled.
+  /// Whether an attempt at a step begins in contact around all points that overlap: after an attempt that failed
+  /// without contact, or before contact has borne a load. With too few nodes, a body may be free to turn. A closed node
+  /// that is pulled opens again.
   bool close_overlapped = false;
   /// Whether no node of either surface has displacements of its own.
   bool between_rigid_bodies = false;

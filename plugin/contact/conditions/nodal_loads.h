@@ -19,10 +19,10 @@ struct NodalGaps {
 /// The status of nodes.
 struct ContactStatus {
   NodeFlags in_contact;
-  NodeFlags flux_coupled;  ///< in contact, and so exchanging fluxes with the other side instead of with the ambient
+  NodeFlags flux_coupled;  ///< in contact, exchanging fluxes with the other side instead of the ambient
   /// In contact, and sliding; empty before the decision, and without friction.
   NodeFlags slips = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
-  /// In contact, and pressed together by more than the fluid bears, so that T_max is not 0; empty alike.
+  /// In contact, with a load above that of the fluid, so that T_max is not 0; empty as `slips`.
   NodeFlags rubs = {};  // NOLINT(readability-redundant-member-init)
 };
 
@@ -42,8 +42,8 @@ struct NodalFriction {
   IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
   Matrix3Xd trial;                            ///< tau_a [MPa]
   Matrix3Xd reference;                        ///< tau_a that an iteration began with; empty outside iterations
-  VectorXd reference_bound;                   ///< T_max alike
-  Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty alike
+  VectorXd reference_bound;                   ///< T_max that an iteration began with
+  Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty outside iterations
   VectorXd bound;       ///< T_max [MPa]
   Matrix3Xd traction;   ///< t_T [MPa]; 0 out of contact
 
@@ -57,8 +57,8 @@ struct NodalFriction {
   Vector3d normal(Index node) const { return area_vector.col(node).normalized(); }
 };
 
-/// The loads by the laws (2.7)-(2.9) at nodes of the primary surface, from averages around each node: g_a and, alike,
-/// jumps and slips. The functions psi_a interpolate traction and fluxes between nodes.
+/// The loads by the laws (2.7)-(2.9) at nodes of the primary surface, from averages around each node: g_a, jumps and
+/// slips. The functions psi_a interpolate traction and fluxes between nodes.
 ///
 /// The laws act at nodes instead of integration points, because a surface can meet as many conditions as it has nodes.
 /// More conditions contradict each other on meshes that do not match, and some of their points open and close in turn.

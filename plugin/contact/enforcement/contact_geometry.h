@@ -10,7 +10,7 @@ namespace mixture_contact {
 struct TangentParts {
   AddBlock block;
   AddLoadBlock load;  ///< load blocks, where tangents consist of them; empty: all come as their products
-  AddRows rows;       ///< geometric parts that are held, by nodes; empty: they are blocks of pairs of facets
+  AddRows rows;       ///< held geometric parts by nodes; empty: blocks by pairs of facets
 };
 
 /// Recipients of the couplings of a tangent.

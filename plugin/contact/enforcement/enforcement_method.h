@@ -70,7 +70,7 @@ class EnforcementMethod {
   const NodalLaws& laws_;
 };
 
-/// The method that the settings ask for.
+/// The method by the settings.
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws);
 

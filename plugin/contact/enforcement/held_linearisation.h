@@ -1,4 +1,4 @@
-/// A linearisation that serves several iterations, for hosts that keep their matrix.
+/// A linearisation that several iterations use, for hosts that keep their matrix.
 #pragma once
 
 #include "active_set/active_set.h"
@@ -10,8 +10,8 @@ namespace mixture_contact {
 
 /// The uses that a host has for its matrix in addition to solving with it.
 struct HostMatrix {
-  bool has_loads = false;    ///< loads at nodes are its unknowns, but those on rigid bodies: nodes can be released, and
-                             ///< others added
+  bool has_loads = false;    ///< loads at nodes, except those on rigid bodies, are unknowns of the matrix: nodes can be
+                             ///< released, and others added
   NodeFlags rigid;           ///< nodes of rigid bodies, whose displacements have no equations of their own
   NodeFlags rigid_opposite;  ///< the same on the surface that faces the one integrated over
 };
@@ -72,8 +72,8 @@ class HeldLinearisation {
   /// those that are nearing, were they in contact; NaN at all others.
   VectorXd undecided(const FacingFields& fields) const;
   /// Nodes that open as the iteration begins, given the tractions of undecided() at its end [MPa] (see
-  /// ActiveSet::opening()). `opened`: nodes that were taken to be open in finding these tractions; they are returned
-  /// where the matrix may not change the status of so many nodes.
+  /// ActiveSet::opening()). `opened`: nodes assumed open in these tractions; they are returned if the matrix may not
+  /// change the status of so many nodes.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
   /// Opens these nodes and closes all others that are nearing. The change of the loads at this state that follows is
   /// the change as the iteration begins.

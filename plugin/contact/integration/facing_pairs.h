@@ -63,7 +63,7 @@ class FacingPairs {
   PairVector values(const FacetPair& pair, int field, const FacingFields& fields) const;
   /// Whether any of the nodes of the primary facet is among those given.
   bool has_node_among(const FacetPair& pair, const NodeFlags& nodes) const;
-  /// For each of the nodes given, the pairs whose primary facet has it.
+  /// The pairs whose primary facet contains a node, for each of the given nodes.
   Lists<const FacetPair*> around(const NodeFlags& nodes) const;
   /// Whether points move over the primary facets as the surfaces move.
   bool moves_points() const { return finder_->moves_points(); }

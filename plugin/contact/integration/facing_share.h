@@ -1,4 +1,4 @@
-/// How much facets count for each other, by the angle between them.
+/// The weight of two facets for each other, by the angle between them.
 ///
 /// A gap along a normal n1 is the distance between the surfaces over c = -n1.n2. A side that turns away from contact at
 /// an edge and leans a little still faces the other body, at c near 0: its gaps are many times the distance, and

@@ -30,9 +30,9 @@ struct FacetPair {
   int secondary = 0;
   Index first = 0;   ///< of the points in between, among those of all pairs
   Index points = 0;  ///< how many there are
-  /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface goes on across all
-  /// edges that they end at within the facet. As such an edge moves, one pair gains the area that the next one loses:
-  /// no sum over the pairs depends on the motion of their points.
+  /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface continues across all of
+  /// their edges within the facet. As such an edge moves, one pair gains the area that the next one loses: no sum over
+  /// the pairs depends on the motion of their points.
   bool unbroken = false;
 };
 
@@ -113,7 +113,7 @@ class PointFinder {
   virtual std::size_t memory() const = 0;
 };
 
-/// The finder that the settings ask for. Keeps references to the facets.
+/// The finder by the settings. Keeps references to the facets.
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 

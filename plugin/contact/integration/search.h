@@ -107,7 +107,7 @@ std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const 
 
 /// The facets that a ray of an earlier configuration could meet.
 struct RayNeighbours {
-  std::array<Vector3d, 2> ends;  ///< of the ray as it was looked up
+  std::array<Vector3d, 2> ends;  ///< of the ray at its last search
   int reference = -1;            ///< reference configuration of the surface that it was looked up in; -1: none yet
   std::vector<int> facets;       ///< ascending
 };

@@ -42,13 +42,13 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 
 /// Nodes that face contact in an iteration that begins, where `facing` do. Nodes that change too often are at the edge
-/// of contact, as ActiveSet has it; no load decides here whether they are.
+/// of contact, as in ActiveSet; loads play no part here.
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
 /// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);
 
-/// Whether nodes that are held for how often they have changed should face contact or not otherwise, as `facing` do at
-/// a solution: they are tried once more. All changes are forgotten, once at most from where iterations begin.
+/// Whether nodes held after too many changes should have another status by `facing` at a solution. They are tried once
+/// more. Resets all counts, at most once after the start of iterations.
 bool reconsiders_facing(SidedPass& pass, const NodeFlags& facing);
 
 /// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.

@@ -44,8 +44,8 @@ class ContactInterface {
   void exchange_traction(bool traction);
 
   /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called at its
-  /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
-  /// evaluated again.
+  /// positions. Returns whether the loads at this state differ from those before the call, so that the residual has to
+  /// be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
   /// Moves the linearisation of an iteration to another state (see ContactPass::linearise_at), after project().
   void linearise_at(const PerSide<SurfaceFields>& fields);

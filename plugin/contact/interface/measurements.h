@@ -8,7 +8,7 @@ namespace mixture_contact {
 /// The memory that a contact keeps.
 struct Memory {
   std::size_t points = 0;  ///< integration points that see the other surface
-  std::size_t bytes = 0;   ///< for them, their facets and nodes, between calls
+  std::size_t bytes = 0;   ///< for the points, their facets and nodes, between calls
 };
 
 struct Measurements {

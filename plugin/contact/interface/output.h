@@ -67,7 +67,7 @@ struct NodalOutput {
   }
 };
 
-/// All of it, at a state that is projected.
+/// All output at a projected state.
 struct InterfaceOutput {
   Balance balance;
   PerSide<NodalOutput> nodes;

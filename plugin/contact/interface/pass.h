@@ -69,7 +69,7 @@ class ContactPass {
   /// Continues from earlier decisions on the nodes that bear load (see BoundaryWeights).
   void restore_carriers(LoadCarriers decisions) { space_.boundary_weights().restore(std::move(decisions)); }
 
-  /// Forgets the configuration: to be called after the effects have changed, before the next project().
+  /// Drops the configuration. Call this after a change of the effects, before the next project().
   void forget();
 
   /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
