@@ -1,4 +1,4 @@
-/// Storing the core's values in FEBio's dump streams, for restart files and time step cutbacks.
+/// Storage of the core's values in FEBio's dump streams, for restart files and time step cutbacks.
 #pragma once
 
 #include "contact/base/types.h"

@@ -60,8 +60,8 @@ class Assembly {
   const newton::MatrixPart& beside_matrix() const { return beside_; }
   /// Whether the last tangent has loads as unknowns of the matrix.
   bool has_unknown_loads() const { return !unknown_loads_.empty(); }
-  /// Eliminates the unknowns of their nodes from the rows of loads, if the matrix allows it. All contacts have added
-  /// their tangents before. Returns the row operations.
+  /// Eliminates the unknowns of their nodes from the rows of loads, if the matrix allows it. Requires the tangents of
+  /// all contacts. Returns the row operations.
   newton::RowOperations eliminate_nodes(FEGlobalMatrix& matrix) const;
 
  private:

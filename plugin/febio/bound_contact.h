@@ -70,7 +70,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   mixture_contact::NodeNumbers numbers_;  ///< of the core's nodes
   int nodes_of_mesh_ = 0;
-  mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
+  mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, if they are unknowns
   bool said_overlap_ = false;             ///< in this run
   std::optional<bool> begins_open_;       ///< whether the step began without a node in contact; none before a step
   bool said_open_ = false;                ///< in this run

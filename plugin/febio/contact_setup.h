@@ -41,10 +41,10 @@ class ContactSetup {
   /// Updates the laws by load curves, see update_laws(), where all values make sense. Returns whether they do; the log
   /// says which do not.
   bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
-  /// Whether a reduction has an effect.
+  /// Whether a reduction changes any penalty.
   bool has_reducible_penalty() const;
-  /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that
-  /// the model asks for exist in it.
+  /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the requested
+  /// effects exist in this step.
   bool decide_traction(const BoundContact& contact);
 
  private:

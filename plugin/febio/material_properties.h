@@ -16,7 +16,7 @@ class FEModel;
 class FERigidMaterial;
 class FESoluteInterface;
 
-/// The part of a material that each property comes from; null where it has none. Casts find them by names, which takes
+/// The part of a material that each property comes from; null if it has none. Casts find them by names, which takes
 /// longer than the properties themselves.
 struct MaterialParts {
   FEMaterial* material = nullptr;

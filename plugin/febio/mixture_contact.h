@@ -32,9 +32,9 @@ class ContactOwner {
 
   /// Sets the parameters of its contact as they are at this time.
   virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// Whether a solution that the contact accepts is one to its owner.
+  /// Whether the owner of the contact accepts a solution that the contact accepts.
   virtual bool accepts_solution() = 0;
-  /// A time step has been solved, and the contact has taken it over.
+  /// A time step has been solved, and the contact has accepted it.
   virtual void step_solved() = 0;
 };
 

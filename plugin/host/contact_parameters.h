@@ -191,7 +191,7 @@ struct ParameterTag {
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
   bool* given = nullptr;          ///< to be set where the model has the tag
-  bool* varies = nullptr;         ///< to be set where a load curve changes the value; null where none may
+  bool* varies = nullptr;         ///< to be set where a load curve changes the value; null if none may
 };
 
 /// Parameters that hosts read in their own ways, each with its load curve.
@@ -340,14 +340,14 @@ bool is_relieved_by_fluid(const ContactParameters& parameters);
 /// out nothing.
 struct LeftOut {
   bool contact = false;  ///< without a penalty of the traction surfaces never touch
-  std::string solvent;   ///< the parameter that leaves it out; empty: none does
+  std::string solvent;   ///< the parameter that removes it; empty if there is none
   bool solutes = false;
   std::vector<int> stopped_solutes;  ///< by a membrane with permeance 0 and reflection 1
 };
 LeftOut left_out(const ContactParameters& parameters);
 
-/// Whether stiffness and conductance are read again at each time step: on request, and where solutes are exchanged
-/// whose penalty is not given, so that it follows the convection.
+/// Whether stiffness and conductance are read again at each time step: on request, and for exchanged solutes with
+/// automatic penalties, which follow the convection.
 bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 
 /// How the host's solver finds equilibrium, which bounds the traction penalty that it can bear where none is given.

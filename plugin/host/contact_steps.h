@@ -117,7 +117,7 @@ class ContactSteps {
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 
  private:
-  /// The changes by an iteration that begins.
+  /// The changes at the start of an iteration.
   struct Changes {
     bool loads;   ///< of contacts
     bool values;  ///< at nodes, which the bodies depend on

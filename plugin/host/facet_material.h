@@ -27,7 +27,7 @@ std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
                                               const mixture_contact::PerSide<std::string>& surfaces,
                                               const std::vector<std::string>& solutes);
 
-/// Whether a fluid stands behind any facet of either surface.
+/// Whether the material behind any facet of either surface contains a fluid.
 bool has_fluid(const FacetMaterials& materials);
 
 /// Sets the materials behind the facets of a mesh.

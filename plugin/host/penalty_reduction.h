@@ -20,7 +20,7 @@ namespace mixture_contact {
 
 class PenaltyReduction {
  public:
-  /// The factor of a level that divides penalties, and how many levels there are: from the default factor down to 1.
+  /// The divisor of penalties of one level, and the number of levels: from the default factor down to 1.
   static constexpr double per_level = 10;
   static constexpr int most_levels = 3;
 

@@ -33,5 +33,5 @@ class ReduciblePenalties {
  private:
   mixture_contact::PenaltyReduction reduction_;
   AcceptedOverlap accepted_;  ///< the deepest one
-  bool said_ = false;         ///< in this run, that penalties are reduced
+  bool said_ = false;         ///< whether this run has reported reduced penalties
 };

@@ -61,7 +61,7 @@ class Border {
   std::optional<Answer> answer(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double> free);
 
  private:
-  /// The z of these conditions, given K^-1 b; empty where the matrix with them is singular.
+  /// The z of these conditions, given K^-1 b; empty if the matrix with them is singular.
   Eigen::VectorXd unknowns(const Solve& solve, const std::vector<Condition>& conditions,
                            const std::vector<double>& free);
   /// K^-1 C of a condition.

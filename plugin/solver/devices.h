@@ -54,7 +54,7 @@ class DeviceRecord {
   bool suspend();
   void resume() { is_suspended_ = false; }
   bool is_suspended() const { return is_suspended_; }
-  /// A line on devices that have acted, by name and number; empty where none has.
+  /// A line on devices that have acted, by name and number; empty if none has.
   std::string summary() const;
 
  private:

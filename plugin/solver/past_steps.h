@@ -30,10 +30,10 @@ struct Change {
 
 class PastSteps {
  public:
-  /// Judges by the change which curve predicts it best, then keeps it.
+  /// Finds the curve that best predicts the change, then keeps the change.
   void add(const Change& change);
 
-  /// The change that the next step of length dt will make; empty where no curve would have predicted two thirds of the
+  /// The change that the next step of length dt will make; empty if no curve would have predicted two thirds of the
   /// last one.
   Eigen::MatrixXd predicted(double dt) const;
 

@@ -56,16 +56,16 @@ class Predictor : public Helper {
   void forget_other_analysis_step();
 
   Solver& solver_;
-  std::vector<PastSteps> variables_;        ///< (dofs of the variable, nodes) each
-  std::vector<PastSteps> loads_;            ///< of each load, (1, 1)
-  std::vector<double> load_values_;         ///< at the end of the last step; empty before the first
-  int analysis_step_ = -1;                  ///< whose steps those are
-  int plain_steps_ = 0;                     ///< how many steps from now on start plainly
-  bool has_predicted_ = false;              ///< whether the present step began at the predicted state
-  bool is_dropping_ = false;                ///< a state is restored that is not that of a failed attempt
-  int iterations_plain_ = 1;                ///< of the last step that began plainly
-  double error_ = 1;                        ///< of the prediction of the last change, the largest of a variable
-  double error_in_vain_ = 0;                ///< the same where a prediction saved no iteration
+  std::vector<PastSteps> variables_;  ///< (dofs of the variable, nodes) each
+  std::vector<PastSteps> loads_;      ///< of each load, (1, 1)
+  std::vector<double> load_values_;   ///< at the end of the last step; empty before the first
+  int analysis_step_ = -1;            ///< whose steps those are
+  int plain_steps_ = 0;               ///< how many steps from now on start plainly
+  bool has_predicted_ = false;        ///< whether the present step began at the predicted state
+  bool is_dropping_ = false;          ///< whether the restored state is a dropped prediction and no failed attempt
+  int iterations_plain_ = 1;          ///< of the last step that began plainly
+  double error_ = 1;                  ///< of the prediction of the last change, the largest of a variable
+  double error_in_vain_ = 0;          ///< the same where a prediction saved no iteration
   std::vector<double> part_of_prediction_;  ///< theta P, per equation; empty except in the first iteration of a step
 };
 

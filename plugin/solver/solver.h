@@ -83,10 +83,10 @@ class Solver {
   virtual void set_totals(const std::vector<double>& change) = 0;
   /// Reactions at prescribed values, per equation, as of the last residual; none where the solver clamps nothing.
   virtual const std::vector<double>* reactions_of_clamp() const = 0;
-  /// The tolerance of the line search, 0 for none; null where there is no line search.
+  /// The tolerance of the line search, 0 for none; null if there is no line search.
   virtual double* line_search_tolerance() = 0;
   /// Squares of the residual: of the last trial, over that which the step began with. Below `least` the solver takes
-  /// equations as solved; null where the residual has other parts than forces.
+  /// equations as solved; null if the residual has other parts than forces.
   struct ResidualSquares {
     double now = 0;
     double first = 0;

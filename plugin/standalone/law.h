@@ -38,7 +38,7 @@ struct PointState {
   Vector solute_flux = Vector::Zero();   ///< j in the current configuration [nmol/(mm^2 s)]
 };
 
-/// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure where J <= 0.
+/// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure if J <= 0.
 template <class T>
 PointState<T> deform(const Material& material, const PointFields<T>& q) {
   using std::log;

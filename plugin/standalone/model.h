@@ -168,7 +168,7 @@ struct Model {
   Control control;
   double gas_constant = 0;           ///< R [mJ/(nmol K)]
   double temperature = 0;            ///< [K]
-  std::vector<std::string> solutes;  ///< their names; empty where one has none
+  std::vector<std::string> solutes;  ///< their names; empty if one has none
   std::vector<Material> materials;
   Mesh mesh;
   std::vector<Condition> prescribed;

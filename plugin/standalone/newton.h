@@ -28,7 +28,7 @@ class Newton : private mixture_contact::SteppedModel {
   /// Decides which nodes are in contact or have ambient values at the current state.
   void begin() { steps_.evaluate(this); }
 
-  /// Solves the step from the current state to `time`. Throws StepFailure where it does not converge.
+  /// Solves the step from the current state to `time`. Throws StepFailure if it does not converge.
   void solve_step(double time, double dt);
 
   /// The state of the start of a step has been restored.

@@ -12,7 +12,7 @@ namespace standalone {
 /// Vectors have one entry per place of a nodal value (see Model::place), whether it is unknown or not.
 class Problem {
  public:
-  /// Throws InputError where a rigid body is not held, or nothing is free. Conditions where no element has the field
+  /// Throws InputError if a rigid body is not held, or nothing is free. Conditions where no element has the field
   /// are void.
   explicit Problem(const Model& model);
 
@@ -43,7 +43,7 @@ class Problem {
   /// Prescribed increments that are not yet in the nodal values.
   const VectorXd& pending() const { return pending_; }
 
-  /// Forces on the free places; zero in equilibrium. Throws StepFailure where an element is inverted or a force not
+  /// Forces on the free places; zero in equilibrium. Throws StepFailure if an element is inverted or a force not
   /// finite.
   VectorXd residual();
   /// Assembles the tangent, -d residual/d values.

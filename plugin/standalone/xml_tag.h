@@ -16,7 +16,7 @@ namespace standalone {
 
 using Names = std::vector<const char*>;
 
-/// The numbers that are allowed, with words for a message.
+/// The allowed numbers, with words for a message.
 struct Range {
   bool (*holds)(double);
   const char* words;
@@ -66,7 +66,7 @@ class Tag {
   double number(const Range& range = any) const;
   int integer(int least = std::numeric_limits<int>::min(), int most = std::numeric_limits<int>::max()) const;
   bool flag() const { return integer(0, 1) == 1; }
-  /// The position of the text among these words, from 0; a failure where it is none of them.
+  /// The position of the text among these words, from 0; an error for any other text.
   std::size_t one_of(const Names& words) const;
   /// Numbers separated by commas or blanks; a failure if they are not `count`.
   std::vector<double> numbers(std::size_t count) const;

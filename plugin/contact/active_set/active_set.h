@@ -20,9 +20,8 @@ struct ActiveSetOptions {
   /// Nodes that have changed more often than this within a time step cycle: from then on these change one at a time,
   /// and all others together.
   int most_joint_changes = 2 * most_status_changes;
-  /// A node of the surface that faces the one integrated over is in contact where the contact of the nodes that it
-  /// faces, interpolated, reaches this share: a half, halfway between a node in contact and one that is not, less
-  /// rounding.
+  /// A node of the other surface is in contact if the interpolated contact of its opposite nodes reaches this share: a
+  /// half, the middle between contact and no contact, less rounding.
   double contact_share = 0.5 - 1e-9;
   /// Loads that differ by less than this part of the largest one are equal: averages around nodes sum up rounding of
   /// this size. A larger difference requires another evaluation of the residual.
@@ -95,7 +94,7 @@ class ActiveSet {
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
   /// Nodes that begin an iteration in contact and open within it, given their tractions at its end if they stayed in
   /// contact [MPa]. Open nodes and unknown tractions have NaN and do not open. `opened`: nodes assumed open in these
-  /// tractions. Nodes whose status keeps changing stay out: they are at the edge of contact, and the next iteration
+  /// tractions. Nodes whose status keeps changing do not open: they are at the edge of contact, and the next iteration
   /// decides.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
   /// Status at another state within a step, from loads of the last state: nodes that face nothing open, and those that

@@ -38,7 +38,7 @@ class OrderedResults {
   void make_all(Workspace& own) {
     run([&] { return next_ < groups_; }, [&] { return make_next(own); });
   }
-  /// Rethrows one of the exceptions that threads met with.
+  /// Rethrows one of the exceptions of threads.
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }

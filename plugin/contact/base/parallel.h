@@ -1,4 +1,4 @@
-/// Loops that OpenMP's threads share, with results that do not depend on how many threads there are.
+/// Loops that OpenMP's threads share, with results that do not depend on the number of threads.
 #pragma once
 
 #include "base/indexed_vector.h"

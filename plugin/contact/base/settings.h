@@ -19,7 +19,7 @@ enum class Enforcement {
 enum class Integration {
   gauss,    ///< at Gauss points of the primary facets: cheap; not exact where facets of both sides end at different
             ///< places
-  segments  ///< on the pieces into which facets of both sides cut each other: exact there too
+  segments  ///< on the pieces into which facets of both sides cut each other: exact for all facets
 };
 
 /// Penalty of one kind of field.
@@ -87,9 +87,8 @@ inline constexpr double two_pass_flux_factor = 1e3;
 /// radius together.
 inline constexpr double tension_traction_factor = 3e2;
 
-/// Default multiple of the stiffness that the tangential penalty is: elastic slip is 1/factor of the shear of the
-/// adjoining elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find the
-/// sticking nodes.
+/// Default tangential penalty as a multiple of the stiffness: elastic slip is 1/factor of the shear of the adjoining
+/// elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find the sticking nodes.
 inline constexpr double default_friction_factor = 1e2;
 
 /// The default of the tangential penalty over a traction penalty that is `factor` times the stiffness: at most 1.
@@ -142,8 +141,8 @@ struct Settings {
   bool symmetric = false;  ///< return the symmetric part of the tangent
   GapRule gap;
   Integration integration = Integration::segments;
-  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on
-                              ///< segments alike
+  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; the same
+                              ///< order on segments
   SearchRule search;
 };
 

@@ -12,7 +12,7 @@ struct NodalGaps {
   double size = 0;    ///< of the surface, by which rounding of its positions is measured [mm]
   double offset = 0;  ///< zero of the gaps: distance of the surfaces - offset [mm]
 
-  /// Whether any point around a node faces the other surface.
+  /// Whether a point around the node faces the other surface.
   bool faces(Index node) const { return area[node] > 0; }
 };
 
@@ -38,7 +38,7 @@ struct FrictionStatus {
 struct NodalFriction {
   Matrix3Xd slip;                             ///< s_a [mm]
   Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da
-  VectorXd pressure;                          ///< p~ - p* [MPa]; empty where friction does not depend on it
+  VectorXd pressure;                          ///< p~ - p* [MPa]; empty if friction does not depend on it
   IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
   Matrix3Xd trial;                            ///< tau_a [MPa]
   Matrix3Xd reference;                        ///< tau_a that an iteration began with; empty outside iterations

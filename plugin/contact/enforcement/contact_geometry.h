@@ -48,7 +48,7 @@ class ContactGeometry {
   /// Retries edge nodes of a solution (see ActiveSet::reconsiders_edge()). Returns whether the solution has any.
   virtual bool reconsiders_edge(const FacingFields& fields) = 0;
   virtual bool is_solution(const FacingFields& fields) const = 0;
-  /// The linearisation of iterations; null where surfaces are fixed and gaps linear by themselves.
+  /// The linearisation of iterations; null if surfaces are fixed and gaps linear by themselves.
   virtual HeldLinearisation* held() = 0;
 
   virtual NodalLoads loads(const FacingFields& fields) const = 0;

@@ -14,8 +14,8 @@ inline constexpr double weak_coupling = 1e-5;
 /// Blocks of one effect, each with the rows of one node, by the displacements of the nodes that they depend on.
 using NodeRows = IndexedVector<TangentBlock>;
 
-/// The rows of tractions, given how many nodes the surfaces have, without couplings that are weak. `held`: rows that
-/// are known, of nodes whose pairs are as they were.
+/// The rows of tractions without weak couplings, given the numbers of nodes of the surfaces. `held`: rows that are
+/// known, of nodes whose pairs are as they were.
 NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak = weak_coupling,
                        NodeRows held = {});
 

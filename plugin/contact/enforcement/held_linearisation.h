@@ -66,7 +66,7 @@ class HeldLinearisation {
   /// gap_changes()). Returns the newly linearised nodes; none at the start of the iterations, because their pull would
   /// be no part of the residual that hosts compare later ones with.
   NodeFlags find_nearing(const FacingPositions& displacements, const FacingFields& fields);
-  /// Nodes out of contact that are linearised, and not in the matrix.
+  /// Open nodes that are linearised but not in the matrix.
   IndexedVector<int> nearing() const { return linearised(false, true); }
   /// Tractions at this state of nodes whose status the matrix may change [MPa]: of those in contact that it has, and of
   /// those that are nearing, were they in contact; NaN at all others.

@@ -68,10 +68,10 @@ class MovingGeometry : public ContactGeometry {
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
-  std::optional<GeometricPart> geometric_;   ///< there, until the surfaces move
+  std::optional<GeometricPart> geometric_;   ///< at the point, until the surfaces move
   LastLinearisation last_;                   ///< after these two have been dropped
   HeldLinearisation held_;                   ///< at the point
-  bool augmented_ = false;                   ///< since the last iteration began
+  bool augmented_ = false;                   ///< since the start of the last iteration
 };
 
 }  // namespace mixture_contact

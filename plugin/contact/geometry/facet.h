@@ -93,9 +93,8 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
 FacetVector heirs_of(FacetType type, int node, const FacetVector& counts);
 
 /// Functions psi_a redistributed among the nodes of their facet that count, at least one: each of the others gives its
-/// own, in equal parts, to its neighbours that count, or if there are none to all that do. They add up to 1 as
-/// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
-/// (n).
+/// own, in equal parts, to its neighbours that count, or if there are none to all that do. They add up to 1, and are
+/// nowhere negative if the given ones are not. `counts`: 1 for nodes that count, 0 for the others, shape (n).
 ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
 
 /// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).

@@ -16,7 +16,7 @@ class EdgeNeighbours {
   explicit EdgeNeighbours(const SurfaceMesh& mesh);
 
   /// The neighbour of a facet across the edge from a corner to the next one, where it lets the same fields through.
-  /// Empty where the surface ends or folds, or where more than two facets meet.
+  /// Empty if the surface ends or folds, or where more than two facets meet.
   std::optional<int> across(int facet, int corner) const;
   std::size_t memory() const;
 

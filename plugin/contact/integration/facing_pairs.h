@@ -105,7 +105,7 @@ class FacingPairs {
     Matrix3Xd primary;
     Matrix3Xd secondary;
   };
-  Positions searched_at_;  ///< where the pairs were found; empty where another search is due
+  Positions searched_at_;  ///< where the pairs were found; empty if another search is due
   bool has_kept_ = false;  ///< whether pairs may be among these that iterations have kept, which have ended
   double surface_size_ = 0;
 };

@@ -31,8 +31,8 @@ Vector3d middle_normal(FacetType type, const FacetCoordinates& x);
 /// The share of facets with these unit normals, from 0 to 1.
 double facing_share(const Vector3d& n1, const Vector3d& n2);
 
-/// How much farther facets with these normals see each other ahead than parallel ones. A facet of length L that touches
-/// with one end and is turned by an angle t there has its other end L tan(t) away along its normal.
+/// Extra distance of the search between facets with these normals, compared with parallel ones. A facet of length L
+/// that touches with one end and is turned by an angle t there has its other end L tan(t) away along its normal.
 double tilted_reach(const Vector3d& n1, const Vector3d& n2);
 /// The largest of it, where the share ends.
 double largest_tilted_reach();

@@ -117,8 +117,8 @@ class PointFinder {
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 
-/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. Its weight
-/// is that of the rule times the share that the facets have for each other (facing_share.h).
+/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. The weight
+/// of a point is that of the rule times the share of both facets (facing_share.h).
 ///
 /// The load of a point ends where it passes the edge of the other surface: it is a jump, and where a whole contact
 /// hangs on one point there may be no equilibrium on either side of it. A point that loses its projection on the
@@ -176,7 +176,7 @@ class GaussPoints : public PointFinder {
   double tolerance_;
   SelfContact self_;
   Visibility visibility_;
-  bool has_shares_ = false;  ///< whether any pair that was found last counts in part
+  bool has_shares_ = false;  ///< whether a pair of the last search counts in part
   IndexedVector<Point> points_;
   IndexedVector<ProjectionHistory> histories_;  ///< per point
   MovingSurface moving_;                        ///< the secondary surface

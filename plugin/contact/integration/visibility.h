@@ -58,7 +58,7 @@ class Visibility {
   /// Thickness of the element behind a facet [mm]; 0 where it is not known.
   static double element_thickness(const Screen& screen, int facet);
 
-  std::vector<Screen> screens_;  ///< of the primary and of the secondary surface; empty where nothing is hidden
+  std::vector<Screen> screens_;  ///< of the primary and of the secondary surface; empty if nothing is hidden
 };
 
 }  // namespace mixture_contact

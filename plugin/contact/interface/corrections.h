@@ -29,7 +29,7 @@ bool may_decide(const ContactInterface& contact);
 /// HeldLinearisation::find_nearing()). Returns those that were not linearised.
 PerSide<NodeFlags> find_nearing_nodes(ContactInterface& contact, const PerSide<Matrix3Xd>& displacements,
                                       const PerSide<SurfaceFields>& fields);
-/// Nodes out of contact that are linearised, and not in the matrix (see HeldLinearisation::nearing()).
+/// Open nodes that are linearised but not in the matrix (see HeldLinearisation::nearing()).
 PerSide<NodeFlags> nearing_nodes(const ContactInterface& contact);
 /// Calls `add` with the tangents of the loads of nearing_nodes(), should these close.
 void nearing_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);

@@ -1,4 +1,4 @@
-/// The points that the nodes of the surface that a pass does not integrate over face.
+/// The points opposite the nodes of a pass's other surface.
 #pragma once
 
 #include "interface/pass.h"
@@ -16,7 +16,7 @@ struct SidedPass {
   bool has_reconsidered = false;     ///< since then, too
 };
 
-/// A node of the surface that a pass does not integrate over.
+/// The point opposite a node of a pass's other surface.
 struct FacingNode {
   int facet = -1;  ///< of the surface integrated over; -1: none
   double gap = 0;  ///< along the node's own normal [mm]

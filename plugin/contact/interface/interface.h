@@ -8,8 +8,8 @@
 namespace mixture_contact {
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
-/// check_penetration() the nodes that a second pass is limited to. Functions of these are outside of the class:
-/// balances and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
+/// check_penetration() the nodes that a second pass is limited to. Functions of contacts outside of the class: balances
+/// and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
 class ContactInterface {
  public:
   /// The location of a local residual or tangent.
@@ -59,9 +59,9 @@ class ContactInterface {
   friend void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// Loads at nodes come as load blocks where `add_load` is given and the pass has them, else as blocks.
-  /// `add_rows`, where given, takes the change of the geometry by nodes where it is held, times a factor and without
-  /// weak couplings (see geometric_rows.h).
+  /// Loads at nodes are load blocks if `add_load` is given and the pass has them, and blocks otherwise. `add_rows`, if
+  /// given, takes the held change of the geometry by nodes, times a factor and without weak couplings (see
+  /// geometric_rows.h).
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
                const AddLoadTangent& add_load = {}, const AddRows& add_rows = {}) const;
   /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`, and
@@ -127,7 +127,7 @@ class ContactInterface {
     std::vector<LoadCarriers> carriers;    ///< per pass, on which those of the next step depend
   };
   State state() const;
-  /// Iterations end with it. Throws std::invalid_argument, and changes nothing, where the state is not one of this
+  /// Iterations end with it. Throws std::invalid_argument, and changes nothing, if the state is not one of this
   /// contact.
   void restore(State state);
 

@@ -53,10 +53,10 @@ class ContactPass {
   /// until the gaps close.
   void augment(const FacingFields& fields);
 
-  /// Gaps are measured from this distance of the surfaces from now on [mm].
+  /// Sets the distance of the surfaces from which gaps are measured [mm].
   void measure_gaps_from(double offset) { space_.measure_gaps_from(offset); }
 
-  /// Slips are measured from these positions from now on.
+  /// Sets the reference positions of slips.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
   /// Accepts a state as the start of the next step: its loads, flux-coupled nodes, and positions as the reference of

@@ -16,7 +16,7 @@ class FEBioSolver : public Solver {
   explicit FEBioSolver(FEModel& fem);
   ~FEBioSolver() override;
 
-  /// Null where the present step is not solved by Newton's method.
+  /// Null if the present step is not solved by Newton's method.
   FENewtonSolver* febio() const;
 
   bool is_newton() const override { return febio() != nullptr; }

@@ -108,7 +108,7 @@ class KeptMatrix {
   Found found_;
   RowOperations operations_;
   std::vector<double> taken_;             ///< part subtracted from the right-hand side until a trial
-  Split split_;                           ///< how that was found, except conditions; its product is taken
+  Split split_;                           ///< the split behind `taken_`, without conditions
   MatrixParts split_parts_;               ///< of that, until there is a trial
   double reduction_ = unknown_reduction;  ///< of splits, as the last trials have shown it
   std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known
