@@ -1,7 +1,7 @@
 /// Ambient (free-draining) conditions on the nodes of contact surfaces that are not in contact.
 ///
 /// FEBio's solvers switch ambient nodes only for contact classes that they know by name, so the plugin does it, once
-/// for all contacts of a model: a node is at ambient only where no contact has it.
+/// for all contacts of a model: a node has ambient values only if it is open in all contacts.
 #pragma once
 
 #include "contact_in_model.h"
@@ -30,7 +30,7 @@ class AmbientConditions {
  private:
   struct NodeStatus {
     bool in_contact;
-    const ContactInModel* ambient;  ///< the first free-draining contact of the node says what its ambient values are
+    const ContactInModel* ambient;  ///< the first free-draining contact of the node, which gives its ambient values
   };
   /// A node, or that of the back face of a shell.
   using Face = std::pair<int, bool>;

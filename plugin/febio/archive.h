@@ -1,4 +1,4 @@
-/// Storing the core's values in FEBio's dump streams, which serve restart files and time step cutbacks.
+/// Storage of the core's values in FEBio's dump streams, for restart files and time step cutbacks.
 #pragma once
 
 #include "contact/base/types.h"
@@ -13,7 +13,7 @@ void archive(DumpStream& ar, T& value) {
   ar & value;
 }
 
-/// Writes a vector to an archive, or reads it. FEBio leaves a vector as it is where the stored one is empty.
+/// Writes a vector to an archive, or reads it. FEBio does not change a vector if the stored one is empty.
 template <class T>
 void archive(DumpStream& ar, std::vector<T>& values) {
   if (!ar.IsSaving()) values.clear();

@@ -21,8 +21,8 @@ struct UndecidedLoad {
   int node;
   double traction;                               ///< as the iteration begins, were it in contact [MPa]
   bool is_in_contact;                            ///< as the iteration begins
-  newton::Condition changed;                     ///< has the node in the other status
-  std::vector<newton::Condition::Entry> change;  ///< what an increment makes of the traction [MPa]
+  newton::Condition changed;                     ///< gives the node the other status
+  std::vector<newton::Condition::Entry> change;  ///< change of the traction by an increment [MPa]
   double change_by_condition;                    ///< the same of the unknown that `changed` adds
 };
 
@@ -42,9 +42,10 @@ class Assembly {
   void add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form);
 
   void residual(FEGlobalVector& residual, double dt) const;
-  /// Adds what loads that have changed as the iteration began make of it. Returns whether that is known.
+  /// Adds the residual of the change of the loads at the start of the iteration. Returns false if it is unknown.
   bool residual_change(FEGlobalVector& residual, double dt) const;
-  /// The conditions that a matrix lacks with the loads of another status: loads that are zero, and others to be added.
+  /// The conditions that a matrix of another status lacks: those of loads that become zero, and of loads that are
+  /// added.
   std::vector<newton::Condition> conditions(double dt) const;
   /// Loads that it may take away and add as an iteration begins: tractions of nodes that depend on no prescribed
   /// values.
@@ -53,14 +54,14 @@ class Assembly {
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   const BoundContact& contact() const { return contact_; }
   void tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt);
-  /// Equations have other numbers.
+  /// Drops the data of old equations after a new numbering.
   void forget_matrix();
-  /// The part of the last tangent that the matrix has no place for.
+  /// The part of the last tangent that the matrix does not include.
   const newton::MatrixPart& beside_matrix() const { return beside_; }
   /// Whether the last tangent has loads as unknowns of the matrix.
   bool has_unknown_loads() const { return !unknown_loads_.empty(); }
-  /// Eliminates the unknowns of their nodes from the rows of loads that are unknowns, where the matrix allows it: all
-  /// contacts have added their tangents. Returns what that takes.
+  /// Eliminates the unknowns of their nodes from the rows of loads, if the matrix allows it. Requires the tangents of
+  /// all contacts. Returns the row operations.
   newton::RowOperations eliminate_nodes(FEGlobalMatrix& matrix) const;
 
  private:
@@ -79,10 +80,10 @@ class Assembly {
   };
   CoupledRow coupled_row(const NodeEquations& equations, mixture_contact::Side first,
                          const mixture_contact::TangentBlock& row) const;
-  /// The condition that a load follows what it depends on, which the matrix does not have.
+  /// The condition that couples a load to its variables, which the matrix lacks.
   newton::Condition condition_of(const NodeEquations& equations, mixture_contact::Side first,
                                  const mixture_contact::LoadBlock& load) const;
-  /// Whether couplings of a pass are deferred: where its loads are unknowns, for the same solvers.
+  /// Whether the solver defers couplings of a pass, if its loads are unknowns.
   bool splits(mixture_contact::Side first) const {
     return takes_rows_ && form_.has(newton::Device::deferred_coupling) &&
            form_.has(newton::Device::loads_as_unknowns) && loads_.has(first);

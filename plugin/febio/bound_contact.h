@@ -19,14 +19,14 @@ class BoundContact : public mixture_contact::SteppedContact {
   BoundContact(ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters, const ContactLog& log)
       : surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
 
-  /// Makes the core. Nothing else may be called before.
+  /// Makes the core. Call this function first.
   void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
   bool is_built() const { return core_ != nullptr; }
-  /// The state, and the nodes that it is the state of.
+  /// The state, with the numbers of its nodes.
   mixture_contact::NumberedState numbered_state() const;
   /// The number of nodes that the mesh had when the core was made.
   int nodes_of_mesh() const { return nodes_of_mesh_; }
-  /// Goes on from a state of nodes that may be others than those of the core, which has just been made.
+  /// Continues a new core from a state, whose nodes may differ from those of the core.
   void go_on_from(const mixture_contact::NumberedState& before);
   mixture_contact::ContactInterface& core() const { return *core_; }
   const ContactSurfaces& surfaces() const { return surfaces_; }
@@ -50,8 +50,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool is_solution() override { return core_->is_solution(fields()); }
   bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(*core_, fields()); }
   bool finds_overlap() override;
-  /// A step has failed: where it began without a node in contact says so once. There, and before contact has borne
-  /// anything, the next attempt begins with all nodes closed around which single points overlap.
+  /// A step has failed. Reports once that it began without a node in contact. In this case, and before contact has
+  /// borne a load, the next attempt begins with all nodes around overlapping points in contact.
   void fail_step();
 
   /// Multipliers that are unknowns, in a trial: those at the start of the step and FEBio's increments.
@@ -60,7 +60,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   void serialize(DumpStream& ar);
 
  private:
-  /// Restores a state of other nodes: an attempt at a step has failed in which elements have eroded.
+  /// Restores a state of other nodes, after the failure of an attempt in which elements have eroded.
   void rewind_to(const mixture_contact::NumberedState& before);
 
   ContactSurfaces& surfaces_;
@@ -70,8 +70,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   mixture_contact::NodeNumbers numbers_;  ///< of the core's nodes
   int nodes_of_mesh_ = 0;
-  mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, where they are unknowns
+  mixture_contact::VectorXd step_start_;  ///< multipliers at the start of the step, if they are unknowns
   bool said_overlap_ = false;             ///< in this run
-  std::optional<bool> begins_open_;       ///< no node was in contact where the step began; none: it has not begun
+  std::optional<bool> begins_open_;       ///< whether the step began without a node in contact; none before a step
   bool said_open_ = false;                ///< in this run
 };

@@ -1,7 +1,7 @@
 /// Deferred coupling terms: the couplings of a contact that FEBio's matrix leaves out.
 ///
-/// The change of the geometry couples nodes across the contact, which costs the matrix much of its fill and an
-/// iteration little if it is left out: it is small compared with the stiffness of the bodies
+/// The change of the geometry couples nodes across the contact and adds many entries to the factors. Iterations lose
+/// little without it, because it is small compared with the stiffness of the bodies
 /// (docs/development/solver-devices.md).
 #pragma once
 

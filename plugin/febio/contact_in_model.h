@@ -1,4 +1,4 @@
-/// A contact as those know it who act on all contacts of a model.
+/// A contact, as the objects that act on all contacts of a model see it.
 #pragma once
 
 #include "assembly.h"
@@ -12,14 +12,14 @@ class ContactInModel {
   ContactInModel& operator=(ContactInModel&&) = delete;
   virtual ~ContactInModel() = default;
 
-  /// Whether the present step of the analysis has it.
+  /// Whether the contact is part of the present step of the analysis.
   virtual bool is_active() const = 0;
   virtual BoundContact& bound() = 0;
   /// The ambient value of a degree of freedom outside contact [MPa or mM].
   virtual double ambient_value(int dof) const = 0;
-  /// Whether its traction penalty is reduced where steps fail.
+  /// Whether failed steps reduce its traction penalty.
   virtual bool has_reducible_penalty() const = 0;
   virtual const Assembly& assembly() const = 0;
-  /// When an analysis step begins, and when a time step or the run has been solved.
+  /// Calls at the start of an analysis step, and after a time step or the run has been solved.
   virtual void on_callback(unsigned int when) = 0;
 };

@@ -23,7 +23,7 @@ class ContactLog {
     for (const std::string& sentence : sentences) error(sentence);
   }
 
-  /// Ends the run after an error: FEBio tries steps again after its own exceptions, and the fault would stay.
+  /// Ends the run after an error: FEBio repeats steps after its own exceptions, and the fault would recur.
   [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "cannot go on, see the error above."); }
 
   // Sentences that name the contact themselves

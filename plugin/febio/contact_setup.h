@@ -1,5 +1,4 @@
-/// Setting up a contact: what the model's parameters, surfaces and materials are to the core, and what is wrong with
-/// them.
+/// Setup of a contact: parameters, surfaces and materials of the model as the core takes them, and their faults.
 #pragma once
 
 #include "ambient_concentration.h"
@@ -17,7 +16,7 @@ using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
 SolverKind solver_kind_of(FEModel& fem);
 /// The time step in which elements store solvent [s]; 0 in a steady state.
 double storing_time_step(FEModel& fem);
-/// Whether the solvers of all steps can have multipliers of some node as unknowns; the log says why not.
+/// Whether the solvers of all steps can have multipliers of nodes as unknowns; the log gives the reason if not.
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
 
 class ContactSetup {
@@ -26,26 +25,26 @@ class ContactSetup {
                const AmbientConcentrations& ambient, const ContactLog& log)
       : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), ambient_(ambient), log_(log) {}
 
-  // Each says in the log what is wrong, and returns whether nothing is.
+  // Each function logs the faults, and returns whether there are none.
   bool check_parameters() const;
   bool check_surfaces() const;
   bool check_ambient() const;
   bool check_mesh_adaptors() const;
 
-  /// Makes the core from the materials. Returns whether that is possible; the log says if not.
+  /// Makes the core from the materials. Returns false, and logs the reason, if that is impossible.
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
-  /// Takes penalties and tolerances as their load curves say at this time; automatic penalties of the traction are
-  /// reduced as `reduction` says.
+  /// Sets penalties and tolerances by their load curves at this time; `reduction` reduces automatic penalties of the
+  /// traction.
   void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
   /// Updates the laws by load curves, see update_laws(), where all values make sense. Returns whether they do; the log
   /// says which do not.
   bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
-  /// Whether a reduction has an effect.
+  /// Whether a reduction changes any penalty.
   bool has_reducible_penalty() const;
-  /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the effects that
-  /// the model asks for exist in it.
+  /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the requested
+  /// effects exist in this step.
   bool decide_traction(const BoundContact& contact);
 
  private:
@@ -69,7 +68,7 @@ class ContactSetup {
   const ContactParameters& parameters_;
   const AmbientConcentrations& ambient_;
   const ContactLog& log_;
-  std::vector<FieldAtContact> fields_at_contact_;  ///< what the materials on both sides allow
-  FrictionRequest friction_;                       ///< what parameters and materials say of friction
-  std::string summary_;                            ///< what the log said last of the effects
+  std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides allow
+  FrictionRequest friction_;                       ///< friction by parameters and materials
+  std::string summary_;                            ///< the last line of the log on the effects
 };

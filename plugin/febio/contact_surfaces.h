@@ -25,7 +25,7 @@ class ContactSurfaces {
   mixture_contact::NodeNumbers node_numbers() const;
   /// Whether facets of a surface may have changed since the last call.
   bool take_change();
-  /// The surface that has lost all its facets; null where there is none.
+  /// The surface that has lost all its facets; null if there is none.
   const FEMixtureSurface* without_facets() const;
   PerSide<mixture_contact::Matrix3Xd> positions();
   /// Moves the nodes of the primary surface, in the reference configuration.

@@ -1,4 +1,4 @@
-/// Storing what the core is made of, and its state, in FEBio's dump streams.
+/// Storage of the core's input, and its state, in FEBio's dump streams.
 #pragma once
 
 #include "contact/interface/interface.h"

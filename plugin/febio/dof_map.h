@@ -37,7 +37,7 @@ class DofMap {
   /// Whether a surface has a node of a rigid body that is free to move in some way.
   bool has_free_rigid_body(Side side) const;
 
-  /// The degrees of freedom that forces on a node act on.
+  /// The degrees of freedom of the forces on a node.
   const std::array<int, 3>& displacements(Side side, const FENode& node) const;
   /// Degrees of freedom of the rotations of rigid bodies, as their nodes have them.
   const std::array<int, 3>& rotations() const { return rotations_; }

@@ -1,4 +1,5 @@
-/// Linear constraints of FEBio's models: degrees of freedom without equations of their own, since they follow others.
+/// Linear constraints of FEBio's models: degrees of freedom without equations of their own, because they depend on
+/// others.
 #pragma once
 
 #include <map>
@@ -21,7 +22,8 @@ class LinearConstraints {
   bool empty() const { return followed_.empty(); }
   /// Whether any degree of freedom of a node of the mesh follows others.
   bool bind(int node) const;
-  /// The displacements that a displacement (dof 0, 1 or 2 of its node in the mesh) follows; null if it follows none.
+  /// The displacements that determine a displacement (dof 0, 1 or 2 of its node in the mesh); null if it is
+  /// independent.
   const std::vector<Followed>* of(int node, int dof) const;
 
  private:

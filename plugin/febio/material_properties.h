@@ -16,7 +16,7 @@ class FEModel;
 class FERigidMaterial;
 class FESoluteInterface;
 
-/// The part of a material that each property comes from; null where it has none. Casts find them by names, which takes
+/// The part of a material that each property comes from; null if it has none. Casts find them by names, which takes
 /// longer than the properties themselves.
 struct MaterialParts {
   FEMaterial* material = nullptr;
@@ -34,8 +34,8 @@ class MaterialReader {
   /// Keeps a reference.
   explicit MaterialReader(FEModel& fem) : fem_(fem) {}
 
-  /// The material behind a facet. Empty where it is not one that contact can act on; `problem` then says in a sentence
-  /// what is wrong. Works on a copy of the material point, so the element's deformation and stress stay as they are.
+  /// The material behind a facet. Empty if contact cannot act on it; `problem` then gives the reason in a sentence.
+  /// Works on a copy of the material point, so the element's deformation and stress stay as they are.
   std::optional<FacetMaterial> behind(FESurface& surface, FESurfaceElement& facet, std::string& problem);
 
  private:

@@ -5,14 +5,14 @@
 
 #include <FECore/FEModel.h>
 
-/// Makes the matrices non-symmetric from the present step on, and says so.
+/// Makes the matrices non-symmetric from the present step on, and logs this.
 void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log);
 
-/// Whether the present step's matrices may have any structure; those that are to have a symmetric one may not.
+/// Whether the present step accepts any matrix structure; false if it requires a symmetric one.
 bool takes_any_structure(FEModel& model);
 
-/// Whether the present step takes loads at nodes as further unknowns of its matrices (host/mixed_form.h).
+/// Whether the matrices of the present step may have loads at nodes as further unknowns (host/mixed_form.h).
 bool takes_mixed_form(FEModel& model);
 
-/// Says in the log where a linear solver cannot solve the matrix with this contact.
+/// Warns in the log of a linear solver that cannot solve the matrix with this contact.
 void judge_linear_solver(FEModel& model, bool has_unknown_multipliers, const ContactLog& log);

@@ -1,4 +1,4 @@
-/// <solute_permeance> and <reflection>: what a membrane lets pass of one solute.
+/// <solute_permeance> and <reflection>: the coefficients of a membrane for one solute.
 #pragma once
 
 #include "host/contact_parameters.h"
@@ -40,7 +40,7 @@ struct MembraneProperties {
   std::vector<FEMixtureReflection*> reflections;
 };
 
-/// Takes the values that the model gives a membrane as their load curves say.
+/// Sets the values of a membrane by the model and its load curves.
 void read_membrane(const MembraneProperties& properties, MembraneParameters& membrane);
 
 /// The values of properties with a solute each.

@@ -32,9 +32,9 @@ class ContactOwner {
 
   /// Sets the parameters of its contact as they are at this time.
   virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// Whether a solution that the contact accepts is one to its owner.
+  /// Whether the owner of the contact accepts a solution that the contact accepts.
   virtual bool accepts_solution() = 0;
-  /// A time step has been solved, and the contact has taken it over.
+  /// A time step has been solved, and the contact has accepted it.
   virtual void step_solved() = 0;
 };
 
@@ -79,10 +79,10 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
  private:
   mixture_contact::ContactInterface& core() const { return bound_.core(); }
-  /// Reads what the model has as properties, or an owner gives.
+  /// Reads the properties that the model or an owner gives.
   void read_properties();
   void find_self_contact();
-  /// Elements have eroded, or meshes have been refined: the contact goes on with the facets that there are now.
+  /// Elements have eroded, or meshes have been refined: the contact continues with the present facets.
   void follow_surfaces();
   /// Surfaces whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
   mixture_contact::PerSide<bool> surfaces_with_load_equations() const;

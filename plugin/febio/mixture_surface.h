@@ -1,4 +1,4 @@
-/// A surface of the contact as FEBio knows it: geometry, and the values that FEBio's own plot variables ask for.
+/// A surface of the contact for FEBio: geometry, and the values of FEBio's own plot variables.
 #pragma once
 
 #include "contact/interface/output.h"

@@ -28,15 +28,15 @@ class ModelContacts : public mixture_contact::SteppedModel {
   /// The faults of the switches of helpers that a contact gives, given those of the others: a sentence each.
   std::vector<std::string> complaints(ContactInModel& contact) const;
 
-  // FEBio's calls, as each contact passes them on
+  // FEBio's calls, passed on by each contact
   void activate(ContactInModel& contact);
   void prepare_step(ContactInModel& contact);
   mixture_contact::ContactSteps& steps() { return steps_; }
   /// Stores the data that the model keeps between steps once, with the first contact that is stored.
   void serialize(ContactInModel& contact, DumpStream& ar);
-  /// The solution of a contact is not that of its matrix any more: penalties have grown, or bonds have broken.
+  /// Reports that a matrix is outdated, because penalties have grown or bonds have broken.
   void force_new_matrix() { matrix_.force_next(); }
-  /// The part of a contact has come into the matrix. Loads follow from the rows of nodes after that of the last one.
+  /// A contact has added its part to the matrix. After the last contact, loads are eliminated by the rows of nodes.
   void added_tangent(const ContactInModel& contact);
 
   void on_callback(unsigned int when);
@@ -45,7 +45,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   /// The reduction of automatic penalties of the traction in the present step.
   mixture_contact::ReducedPenalty penalty_reduction() const;
   const ModelDevices& devices() const { return devices_; }
-  /// The parts of the contacts that the next matrix is to take.
+  /// The parts of the contacts that the next matrix includes.
   MatrixForm matrix_form() const;
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
@@ -73,7 +73,7 @@ class ModelContacts : public mixture_contact::SteppedModel {
   AmbientConditions ambient_;
   ReduciblePenalties reducible_;
   std::vector<ContactInModel*> contacts_;        ///< in the order of the model
-  std::set<const ContactInModel*> unactivated_;  ///< whose state is not known to the core yet
+  std::set<const ContactInModel*> unactivated_;  ///< contacts whose core has no state yet
   newton::KeptMatrix matrix_;
   mixture_contact::Round dumps_;
 };

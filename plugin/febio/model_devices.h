@@ -1,5 +1,4 @@
-/// The devices of the solver in a model: which its contacts leave on, how often they act, and what the log says of
-/// them.
+/// The devices of the solver in a model: switches of its contacts, counts of their actions, and lines of the log.
 #pragma once
 
 #include "contact_in_model.h"
@@ -17,13 +16,13 @@ class ModelDevices {
 
   /// Whether a device may act at present.
   bool is_on(newton::Device device) const;
-  /// The fault of those that a contact gives, given the others: a sentence, or none.
+  /// The fault of a contact's devices, given those of the others: a sentence, or none.
   std::string complaint(ContactInModel& contact) const;
-  /// Says at the first step which are on.
+  /// Logs the active devices at the first step.
   void introduce();
-  /// Counts those that a matrix rests on which has been formed.
+  /// Counts the devices that a new matrix uses.
   void count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations);
-  /// A step has failed: has it tried again without devices, and the next attempt after that with them.
+  /// A step has failed. Switches devices off for the next attempt, and on for the one after it.
   void fail_step(bool is_tried_again);
   newton::DeviceRecord& record() { return record_; }
 

@@ -1,5 +1,5 @@
-/// The equations that the unknowns of a contact's nodes have at the time of construction: FEBio numbers them again
-/// between steps, and ambient values take unknowns away within one.
+/// The equations of the unknowns of a contact's nodes at the time of construction. FEBio renumbers equations between
+/// steps, and ambient values remove unknowns within one.
 #pragma once
 
 #include "dof_map.h"
@@ -60,7 +60,7 @@ class NodeEquations {
   /// Calls use(surface, node) for the nodes of a local vector in their order.
   template <class Use>
   void for_each_node(const Location& at, const Use& use) const;
-  /// Adds the displacements that displacements of these nodes follow by linear constraints.
+  /// Adds the displacements that determine those of these nodes by linear constraints.
   void add_followed(const Location& at, std::vector<int>& ids) const;
   /// The change of a displacement by an increment.
   double change(const Surface& surface, int node, int i, const std::vector<double>& increment) const;

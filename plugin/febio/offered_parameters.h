@@ -24,7 +24,7 @@ inline const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
-/// Adds a parameter to its group; what FEBio Studio does not offer is hidden.
+/// Adds a parameter to its group, and hides it if FEBio Studio does not offer it.
 template <class Value>
 void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& value) {
   owner.BeginParameterGroup(heading(tag.group));
@@ -36,7 +36,7 @@ void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& va
   if (tag.choices != nullptr) parameter->setEnums(tag.choices);
 }
 
-/// Notes which parameters load curves change; for_each(take) calls take(tag, value) for each. Returns what is wrong
+/// Notes the parameters that load curves change; for_each(take) calls take(tag, value) for each. Returns the faults
 /// with these curves, one sentence each.
 template <class ForEach>
 std::vector<std::string> find_load_curves(FECoreBase& owner, const ForEach& for_each) {

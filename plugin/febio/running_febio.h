@@ -17,10 +17,10 @@ struct Hook {
 /// The hooks of FESurfacePairConstraint; none but on Linux, where alone the names in the libraries were looked at.
 const std::vector<Hook>& hooks();
 
-/// The address of a name in the running FEBio; null where it has none.
+/// The address of a name in the running FEBio; null if it has none.
 using SymbolLookup = std::function<void*(const char* symbol)>;
 SymbolLookup running_symbols();
 
 /// Why a plugin that was built for a release ("4.11.0"; empty: not known) does not fit the running FEBio: a sentence;
-/// empty where it fits.
+/// empty if it fits.
 std::string misfit(const std::string& built_for, const SymbolLookup& find);

@@ -2,10 +2,10 @@
 ///
 /// An iteration begins with the nodes that overlap at its state: more than will be in contact at its end, since each
 /// that closes takes load from those around it, and without those that come into contact within it. The factorised
-/// matrix gives the tractions and gaps at the end of the iteration. Each node that would pull opens, each that
-/// would overlap closes, and the matrix is asked once more, until all stay: the active set of the linearised problem,
-/// by the rule that leads from iteration to iteration (contact/active_set/active_set.h). Each node that changes costs a
-/// back substitution.
+/// matrix gives the tractions and gaps at the end of the iteration. Each node that would pull opens, each that would
+/// overlap closes, and the matrix is asked once more, until all stay: the active set of the linearised problem, by the
+/// rule that leads from iteration to iteration (contact/active_set/active_set.h). Each change of a node takes a back
+/// substitution.
 #pragma once
 
 #include "contact_in_model.h"

@@ -12,17 +12,17 @@
 /// Whether the core knows the types of all facets; the log names one that it does not know.
 bool have_known_facets(ContactSurfaces& surfaces, const ContactLog& log);
 
-/// Has surfaces lie on the back faces of their shells, where the parameters ask for that. Returns whether all elements
-/// behind these are shells; the log names one that is not.
+/// Moves surfaces to the back faces of their shells if the parameters require it. Returns whether all elements behind
+/// these surfaces are shells; the log names one that is not.
 bool take_shell_bottoms(ContactSurfaces& surfaces, const ContactParameters& parameters, const ContactLog& log);
 
-/// Reads the materials behind all facets. Empty where contact cannot act on one of them; the log says why.
+/// Reads the materials behind all facets. Empty if contact cannot act on one of them; the log gives the reason.
 std::optional<FacetMaterials> facet_materials(FEModel& fem, ContactSurfaces& surfaces, const ContactLog& log);
 
-/// Whether some facets are rigid and have nothing but rigid ones to touch.
+/// Whether some rigid facets face rigid facets alone.
 bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector<FacetMaterial>& secondary);
 
-/// Gives rigid materials a stiffness from modulus_of_rigid_bodies(), where that has one.
+/// Gives rigid materials a stiffness from modulus_of_rigid_bodies(), if it returns one.
 void stand_in_for_rigid_bodies(FEModel& fem, FacetMaterials& materials);
 
 /// The mesh of a surface whose facets are all known.

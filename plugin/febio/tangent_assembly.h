@@ -1,4 +1,4 @@
-/// The parts of a contact's tangent into FEBio's matrix.
+/// Assembly of a contact's tangent into FEBio's matrix.
 #pragma once
 
 #include "bound_contact.h"
@@ -21,7 +21,7 @@ class TangentAssembly {
   using Location = mixture_contact::ContactInterface::Location;
   using Rows = mixture_contact::IndexedVector<mixture_contact::TangentBlock>;
 
-  /// The parts that the matrix takes as they are.
+  /// The parts that the matrix takes directly.
   struct Takes {
     bool blocks;  ///< blocks of free equations
     bool loads;   ///< loads in mixed form, where it takes blocks
@@ -35,12 +35,12 @@ class TangentAssembly {
   /// go into `beside`, if that is given.
   void add_rows(mixture_contact::Side first, const Rows& rows, double factor, newton::MatrixPart* beside);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
-  /// Has all that was added in the matrix, and sets the diagonal of loads that there have been none of: their unknowns
-  /// are zero. Charges each effect with its own.
+  /// Completes the additions to the matrix. Sets the diagonal of absent loads, whose unknowns are zero. Charges each
+  /// effect with its time.
   void finish(mixture_contact::TaskClock& timed);
-  /// On which sides loads are unknowns, but those on rigid bodies.
+  /// The sides on which loads are unknowns, except those on rigid bodies.
   mixture_contact::PerSide<bool> has_loads() const;
-  /// The tractions that have been, and depend on no prescribed values.
+  /// The tractions added as unknowns that depend on no prescribed values.
   const std::vector<UnknownTraction>& unknown_tractions() const { return unknown_tractions_; }
   /// The loads that have been added as unknowns.
   const std::vector<UnknownLoad>& unknown_loads() const { return unknown_loads_; }
@@ -51,29 +51,29 @@ class TangentAssembly {
     std::vector<int> columns;
   };
   Ids ids_of(const Location& rows, const Location& columns) const;
-  /// Whether a block with these equations goes straight into the rows of the matrix.
+  /// Whether the rows of the matrix take a block with these equations directly.
   bool is_free(const Ids& ids, const Location& columns) const;
-  /// Takes the equations of nodes among the columns of a node's rows out whose entries go through FEBio's own assembly.
-  /// Returns which nodes these are.
+  /// Removes the equations of nodes from the columns of a node's rows if FEBio's own assembly adds their entries.
+  /// Returns these nodes.
   mixture_contact::IndexedVector<mixture_contact::Index> take_out_bound(const Location& row, const Location& columns,
                                                                         std::vector<int>& equations) const;
-  /// Adds as many of them as threads share at a time, from that place on.
+  /// Adds one group of blocks for the threads, from a position on.
   void add_batch(mixture_contact::Side first, const Rows& rows, mixture_contact::Index begin, double factor,
                  newton::MatrixPart* beside);
   /// Adds a node's rows by the n-th node of its columns by FEBio's own assembly.
   void add_bound(mixture_contact::Side first, const mixture_contact::TangentBlock& row, mixture_contact::Index n,
                  double factor);
   void add_mixed(int own, const mixture_contact::LoadBlock& load, const Location& rows, const Location& columns);
-  /// Blocks of one effect on their way into the matrix.
+  /// Blocks of one effect that wait for their addition to the matrix.
   struct Kept {
     mixture_contact::Patch rows;  ///< of the first one
     mixture_contact::IndexedVector<newton::MatrixBlock> blocks;
   };
   Kept& kept_of(const mixture_contact::Patch& rows);
-  /// Keeps a block until there are enough of them for threads to share.
+  /// Collects blocks until there are enough for all threads.
   void keep(const mixture_contact::Patch& rows, newton::MatrixBlock block);
   void take_over(Kept& kept) const;
-  /// Adds a block by FEBio's own assembly, after all that came before it in the same rows.
+  /// Adds a block by FEBio's own assembly, after all earlier blocks of the same rows.
   void assemble(const mixture_contact::Patch& rows, const FEElementMatrix& block);
 
   const mixture_contact::ContactInterface& core_;
@@ -91,5 +91,5 @@ class TangentAssembly {
 /// Whether some equations stand for prescribed values.
 bool are_prescribed(const std::vector<int>& equations);
 
-/// Whether a matrix takes blocks of free equations as they are.
+/// Whether a matrix takes blocks of free equations directly.
 bool takes_blocks(FEGlobalMatrix& matrix, bool is_constrained);

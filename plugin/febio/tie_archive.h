@@ -1,4 +1,4 @@
-/// Storing a tie in FEBio's dump streams: what is tied, and its state.
+/// Storage of a tie in FEBio's dump streams: the tied nodes, and their state.
 #pragma once
 
 #include "contact/tie/tie.h"

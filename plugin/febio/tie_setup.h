@@ -1,4 +1,4 @@
-/// Setting up a tie: what the model's parameters, surfaces and materials are to the core, and what is wrong with them.
+/// Setup of a tie: parameters, surfaces and materials of the model as the core takes them, and their faults.
 #pragma once
 
 #include "contact/tie/tie.h"
@@ -16,12 +16,12 @@ class TieSetup {
            const ContactLog& log)
       : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
 
-  /// Whether the parameters, the surfaces and the model allow a tie; the log says what is wrong.
+  /// Whether the parameters, the surfaces and the model allow a tie; the log lists the faults.
   bool check() const;
-  /// Finds what is tied where the surfaces are now. Null where nothing can be; the log says why.
+  /// Finds the tied nodes at the present positions. Null if there are none; the log gives the reason.
   std::unique_ptr<mixture_contact::Tie> build() const;
   void say_what_is_tied(const mixture_contact::Tie& tie) const;
-  /// Says where a cohesive zone is too short for the facets.
+  /// Warns of a cohesive zone that is too short for the facets.
   void judge_cohesive_zone(const mixture_contact::Tie& tie) const;
   /// The primary nodes once their gaps are closed.
   mixture_contact::Matrix3Xd relocated(const mixture_contact::Tie& tie) const;

@@ -51,7 +51,7 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   bool close_gaps();
   void update_laws();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();
-  /// `damage`: what the present state has come to.
+  /// `damage`: that of the present state.
   void store_output(const mixture_contact::DamageState& damage);
   void serialize_model(DumpStream& ar);
 

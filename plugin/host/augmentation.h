@@ -11,12 +11,12 @@
 struct Augmentation {
   bool done = true;                ///< no augmentation is needed, or allowed, any more
   bool stiffens = false;           ///< penalties have grown: a matrix that a host keeps is of smaller ones
-  std::vector<std::string> lines;  ///< gaps with their tolerances, for the log; none where penalties are all there is
-  std::string warning;             ///< where the limit ended the augmentations
+  std::vector<std::string> lines;  ///< gaps with their tolerances, for the log; none without multipliers
+  std::string warning;             ///< set if the limit has stopped the augmentations
 };
 
-/// Reports the gaps of a solution, and calls `take_up` where they miss the tolerances: multipliers are to take the
-/// loads up, and what it returns is whether penalties have grown.
+/// Reports the gaps of a solution, and calls `take_up` if they miss the tolerances. `take_up` sets the multipliers to
+/// the loads, and returns whether penalties have grown.
 ///
 /// `title`: type and name of the contact; `augmentation`: how many there have been since the time step began.
 Augmentation augment(const std::string& title, const mixture_contact::GapReport& report,

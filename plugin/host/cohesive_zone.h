@@ -16,6 +16,6 @@ inline constexpr double facets_in_cohesive_zone = 3;
 /// `modulus`: of the softer body [MPa].
 double cohesive_zone(const mixture_contact::Cohesive& law, double modulus);
 
-/// Says that facets are too long for the cohesive zone; empty where they are not. `position`: of the surfaces' nodes.
+/// Says that facets are too long for the cohesive zone; empty if they are not. `position`: of the surfaces' nodes.
 std::string cohesive_zone_line(const mixture_contact::Tie& tie, const FacetMaterials& materials,
                                const mixture_contact::PerSide<mixture_contact::Matrix3Xd>& position);

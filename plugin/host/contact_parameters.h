@@ -1,5 +1,5 @@
-/// The parameters of <contact type="sliding-mixture"> in a model file, and what they mean to the contact core. Shared
-/// by the hosts.
+/// The parameters of <contact type="sliding-mixture"> in a model file, and their meaning to the contact core. Shared by
+/// the hosts.
 #pragma once
 
 #include "contact/base/effects.h"
@@ -85,7 +85,7 @@ struct FrictionParameters {
   Varying tangential_penalty{{1}};  ///< over the traction penalty [-]
 };
 
-/// A film between the surfaces; what is not given crosses freely.
+/// A film between the surfaces; fields without a coefficient cross freely.
 struct MembraneParameters {
   Varying conductance;                  ///< <hydraulic_conductance> [length^3/(force time)]
   std::vector<SoluteValue> permeance;   ///< <solute_permeance> [length/time]
@@ -186,12 +186,12 @@ constexpr const char* heading(ParameterGroup group) {
 /// The form of a parameter in a model file.
 struct ParameterTag {
   const char* name = "";
-  const char* long_name = "";  ///< what a user reads in FEBio Studio
+  const char* long_name = "";  ///< name in FEBio Studio
   ParameterGroup group = ParameterGroup::old_models;
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
   bool* given = nullptr;          ///< to be set where the model has the tag
-  bool* varies = nullptr;         ///< to be set where a load curve changes the value; null where none may
+  bool* varies = nullptr;         ///< to be set where a load curve changes the value; null if none may
 };
 
 /// Parameters that hosts read in their own ways, each with its load curve.
@@ -340,14 +340,14 @@ bool is_relieved_by_fluid(const ContactParameters& parameters);
 /// out nothing.
 struct LeftOut {
   bool contact = false;  ///< without a penalty of the traction surfaces never touch
-  std::string solvent;   ///< the parameter that leaves it out; empty: none does
+  std::string solvent;   ///< the parameter that removes it; empty if there is none
   bool solutes = false;
   std::vector<int> stopped_solutes;  ///< by a membrane with permeance 0 and reflection 1
 };
 LeftOut left_out(const ContactParameters& parameters);
 
-/// Whether stiffness and conductance are read again at each time step: on request, and where solutes are exchanged
-/// whose penalty is not given, so that it follows the convection.
+/// Whether stiffness and conductance are read again at each time step: on request, and for exchanged solutes with
+/// automatic penalties, which follow the convection.
 bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 
 /// How the host's solver finds equilibrium, which bounds the traction penalty that it can bear where none is given.
@@ -357,8 +357,8 @@ enum class SolverKind {
   explicit_dynamics    ///< the stiffer the contact, the shorter the critical time step
 };
 
-/// The core's settings. `reduction`: what an automatic penalty of the traction is divided by, but not below the
-/// stiffness of the bodies; one that is given stays as it is.
+/// The core's settings. `reduction`: divisor of an automatic penalty of the traction, but not below the stiffness of
+/// the bodies; a given one does not change.
 mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
                                         const mixture_contact::ReducedPenalty& reduction = {});
 /// Whether a reduction has an effect.

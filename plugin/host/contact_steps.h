@@ -29,13 +29,13 @@ class SteppedContact {
   /// Holds loads of the true laws at this state, without their linearisation, for an evaluation that no matrix follows.
   virtual void hold_loads() = 0;
   virtual void linearise_at() = 0;
-  /// Whether the matrix of this iteration serves the next one, too, with its linearisation corrected by correct().
+  /// Whether the next iteration can use the matrix of this one, with its linearisation corrected by correct().
   virtual bool keeps_matrix() = 0;
   /// Begins an iteration with the linearisation that is held: its gaps and jumps take their true values.
   /// Returns whether loads change.
   virtual bool correct() = 0;
   virtual bool is_solution() = 0;
-  /// Whether a solution has nodes at the edge of contact that have to be tried once more: it is none then.
+  /// Whether a state has edge nodes that have to be tried once more; it is no solution then.
   virtual bool reconsiders_edge() = 0;
   /// Whether overlaps detected at a converged state change the loads.
   virtual bool finds_overlap() = 0;
@@ -44,7 +44,7 @@ class SteppedContact {
 /// How a host's method uses matrices.
 enum class MatrixUse {
   each_iteration,  ///< full Newton: a new one for each
-  kept,            ///< quasi-Newton, modified Newton: one serves several iterations
+  kept,            ///< quasi-Newton, modified Newton: several iterations use one
   none             ///< products with the tangent are differences of residuals
 };
 
@@ -63,17 +63,18 @@ class SteppedModel {
   virtual bool apply_ambient() = 0;
   /// Evaluates bodies and contacts at the present state, by way of ContactSteps::evaluate().
   virtual void evaluate() = 0;
-  /// Has the bodies evaluated after the contacts, within an evaluation.
+  /// Requests an evaluation of the bodies after the contacts, within an evaluation.
   virtual void evaluate_bodies_after_contacts() = 0;
-  /// Evaluates the residual again, or what of it has changed.
+  /// Evaluates the residual again, or its changed parts.
   virtual void evaluate_residual(Changed what) = 0;
-  /// Contacts have corrected their linearisations: the same for their loads, and for nodes that have opened or closed.
+  /// Contacts have corrected their linearisations. Corrects the host's residual and matrix for their loads, and for
+  /// nodes that have opened or closed.
   virtual void correct_residual() = 0;
   virtual MatrixUse matrix_use() = 0;
   /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
   virtual bool is_matrix_due() = 0;
-  /// An iteration has ended that is to go on with the earlier matrix. If that leaves too much of the residual,
-  /// forms another one at this state, as the host does within its iterations. Returns whether it has.
+  /// An iteration has ended, and the next one keeps the matrix. If too much of the residual remains, the host forms a
+  /// new matrix at this state. Returns whether it has.
   virtual bool replaces_matrix() = 0;
   /// Says whether the next iteration needs a matrix of its own.
   virtual void request_matrix(bool is_needed) = 0;
@@ -102,7 +103,7 @@ class ContactSteps {
 
   // Calls for the model
   void matrix_formed();
-  /// An iteration of a host has ended that is to go on.
+  /// An iteration of a host has ended, and the host continues.
   void end_iteration();
   void end_step() { helpers_.end_step(); }
   /// The state at the start of a failed attempt has been restored.
@@ -116,7 +117,7 @@ class ContactSteps {
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 
  private:
-  /// The changes by an iteration that begins.
+  /// The changes at the start of an iteration.
   struct Changes {
     bool loads;   ///< of contacts
     bool values;  ///< at nodes, which the bodies depend on

@@ -18,7 +18,7 @@ struct FieldAtContact {
 struct Exchange {
   mixture_contact::Effects effects;
   std::string summary;                  ///< "traction, solvent. No solute 1: ..."
-  std::vector<std::string> complaints;  ///< what is wrong with the request, one sentence each
+  std::vector<std::string> complaints;  ///< faults of the request, one sentence each
 };
 
 /// The motion of the nodes of both surfaces, as far as it is known.
@@ -27,10 +27,10 @@ enum class Motion {
   possible,    ///< at least one can move
   impossible,  ///< every displacement is fixed
   untouched,   ///< the surfaces never touch: their traction has no penalty
-  tied         ///< they stay where they are on each other: traction is exchanged as other effects are
+  tied         ///< a tie holds them together: traction is exchanged as other effects are
 };
 
-/// Adds what penalties of 0, and membranes that stop a field, leave out to the obstacles of the fields.
+/// Adds penalties of 0, and membranes that stop a field, to the obstacles of the fields.
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
 /// The friction that a model requests.

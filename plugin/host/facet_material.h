@@ -21,16 +21,16 @@ struct FacetMaterial {
 /// The materials behind all facets of the two surfaces.
 using FacetMaterials = mixture_contact::PerSide<std::vector<FacetMaterial>>;
 
-/// The solvent and the solutes of a model, by their names, as a contact between these surfaces finds them: what a
-/// surface knows nowhere is an obstacle.
+/// The solvent and the solutes of a model, by their names, as a contact between these surfaces finds them: a field that
+/// a surface lacks everywhere is an obstacle.
 std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
                                               const mixture_contact::PerSide<std::string>& surfaces,
                                               const std::vector<std::string>& solutes);
 
-/// Whether a fluid stands behind any facet of either surface.
+/// Whether the material behind any facet of either surface contains a fluid.
 bool has_fluid(const FacetMaterials& materials);
 
-/// Fills in what a mesh holds of the materials behind its facets.
+/// Sets the materials behind the facets of a mesh.
 void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,
                    const mixture_contact::Effects& effects);
 

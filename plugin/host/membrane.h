@@ -1,4 +1,4 @@
-/// Membranes between the surfaces: what a model says of them, and what is wrong with that.
+/// Membranes between the surfaces: their parameters in a model, and faults of these.
 #pragma once
 
 #include "contact/base/effects.h"
@@ -12,7 +12,7 @@
 /// model has.
 std::vector<std::string> membrane_complaints(const MembraneParameters& membrane, int solutes);
 
-/// The faults of a membrane in view of the exchange: reflected solutes need a film that the solvent crosses, too.
+/// The faults of a membrane in view of the exchange: reflected solutes need a film that the solvent crosses.
 std::vector<std::string> membrane_complaints(const MembraneParameters& membrane,
                                              const mixture_contact::Effects& effects);
 

@@ -1,8 +1,7 @@
 /// Loads at nodes as unknowns of the linear system alone.
 ///
-/// A load that follows what it depends on couples all nodes around its own with each other: its part of the tangent is
-/// a product of two vectors, work factor variation^T. The change of the load as one more unknown z gives the same
-/// equations in mixed form,
+/// A load couples all nodes around its own with each other: its part of the tangent is a product of two vectors, work
+/// factor variation^T. The change of the load as one more unknown z gives the same equations in mixed form,
 ///
 ///     | T       column   | | du |   | r |
 ///     | row^T   diagonal | | z  | = | 0 |
@@ -25,7 +24,7 @@ struct MixedForm {
 /// those without z: its square is lost in the rounding of theirs.
 inline constexpr double load_unknown_scale = 1e-9;
 
-/// Whether a load has a mixed form: none does that depends on nothing.
+/// Whether a load has a mixed form: a load without variables has none.
 inline bool has_mixed_form(const mixture_contact::LoadBlock& load) { return load.variation.squaredNorm() != 0; }
 
 /// The mixed form of a load that has one.

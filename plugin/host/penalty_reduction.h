@@ -1,7 +1,7 @@
 /// Automatic penalties of the traction that are reduced where time steps fail.
 ///
-/// A penalty is a device, no property of the scene: a hard contact can invert an element where a softer one does not.
-/// There is one state for a model, since a step that fails does not show which of its contacts is to blame.
+/// A penalty is a device, no property of the scene: a hard contact can invert an element where a softer one does not. A
+/// model has one state, because a failed step does not show which contact caused the failure.
 ///
 ///     full or reduced ---fail---> the softest level, the stiffness of the bodies
 ///     reduced ---accept, as often as the patience asks---> one level less, in the end full
@@ -20,7 +20,7 @@ namespace mixture_contact {
 
 class PenaltyReduction {
  public:
-  /// The factor of a level that divides penalties, and how many levels there are: from the default factor down to 1.
+  /// The divisor of penalties of one level, and the number of levels: from the default factor down to 1.
   static constexpr double per_level = 10;
   static constexpr int most_levels = 3;
 

@@ -1,4 +1,4 @@
-/// The automatic penalties of a model's contacts, which are reduced where steps fail, and what a log says of it.
+/// The automatic penalties of a model's contacts, which are reduced after failed steps, and the lines of a log on this.
 #pragma once
 
 #include "penalty_reduction.h"
@@ -10,8 +10,8 @@ class ReduciblePenalties {
   mixture_contact::ReducedPenalty at(double dt) const { return reduction_.at(dt); }
   bool are_reduced() const { return !reduction_.is_full(); }
 
-  /// An attempt at the step of `dt` to `time` has failed [s], and another one follows. Returns what the log is to say;
-  /// empty where nothing.
+  /// An attempt at the step of `dt` to `time` has failed [s], and another one follows. Returns a line for the log;
+  /// empty if there is none.
   std::string fail(double time, double dt);
   /// The largest overlap of a contact in a step that is accepted with reduced penalties.
   void note(const std::string& contact, const mixture_contact::Overlap& overlap, double time);
@@ -33,5 +33,5 @@ class ReduciblePenalties {
  private:
   mixture_contact::PenaltyReduction reduction_;
   AcceptedOverlap accepted_;  ///< the deepest one
-  bool said_ = false;         ///< in this run, that penalties are reduced
+  bool said_ = false;         ///< whether this run has reported reduced penalties
 };

@@ -6,7 +6,7 @@
 
 /// The value of one solute, as a model gives it.
 struct SoluteValue {
-  int solute = 0;  ///< id of the model file, 1 and up; 0: not said, which the only solute of a model needs not
+  int solute = 0;  ///< id in the model file, from 1; 0 if absent, for the only solute of a model
   double value = 0;
 
   /// Index of the solute, from 0.

@@ -1,8 +1,8 @@
-/// The order in which things happen around a contact: time steps, iterations, trials, augmentations.
+/// The order of a host's calls around a contact: time steps, iterations, trials, augmentations.
 ///
 /// A host solves a step by Newton's method. The contacts of its model are in one of a few phases between two of its
-/// calls, and the phase alone decides what a call means. The machine knows no host: it receives events and returns
-/// the actions that follow.
+/// calls, and the phase alone decides the meaning of a call. The machine knows no host: it receives events and returns
+/// actions.
 ///
 ///     converged ---evaluate---> begun ---prepare_step---> step_prepared
 ///     begun, step_prepared, evaluated, uncorrected ---form_matrix---> forming, forming_loads, forming_anew
@@ -21,21 +21,21 @@ namespace mixture_contact {
 enum class Phase {
   converged,      ///< nothing is held: a step, or the iterations after an augmentation, may begin
   begun,          ///< an iteration has begun at this state
-  step_prepared,  ///< the same, the first one of a time step
+  step_prepared,  ///< as `begun`, in the first iteration of a time step
   forming,        ///< a matrix is formed; the host's residual is that of this state
   forming_loads,  ///< a matrix is formed; loads of contacts have changed since the host evaluated its residual
   forming_anew,   ///< a matrix is formed; values have changed since, that the bodies depend on, too
   trial,          ///< a trial state is set, but not evaluated yet; the active set is held
   evaluated,      ///< a trial state has been evaluated
-  rejected,       ///< the host has converged at a state that is no solution
-  uncorrected,    ///< the same, where the held linearisation is corrected and used again
+  rejected,       ///< the host has converged at a state that the contacts reject
+  uncorrected,    ///< as `rejected`, with the held linearisation corrected and used again
   corrected       ///< an iteration has begun with the matrix and the linearisation of the last one
 };
 
-/// The start of the iteration that follows a convergence that is rejected.
+/// The start of the iteration after a rejected convergence.
 enum class GoesOn {
-  matrix,     ///< one of its own
-  correction  ///< that of before, and its linearisation, corrected
+  matrix,     ///< a new matrix
+  correction  ///< the earlier matrix, with its linearisation corrected
 };
 
 /// The part of the model that has changed since the host evaluated its residual.
@@ -46,9 +46,9 @@ class Stepper {
   /// The actions of an evaluation of the model.
   enum class Evaluation {
     keep_active_set,    ///< of a trial: nothing changes
-    begin_anew,         ///< a step or an augmentation: forget what was held, and begin an iteration
+    begin_anew,         ///< a step or an augmentation: drop the held linearisation, and begin an iteration
     go_on,              ///< convergence was rejected: begin an iteration from the prediction of the last one
-    keep_linearisation  ///< convergence was rejected: the iteration goes on with the held linearisation
+    keep_linearisation  ///< convergence was rejected: the iteration continues with the held linearisation
   };
   Evaluation evaluate();
 
@@ -68,15 +68,15 @@ class Stepper {
   Matrix before_matrix() const;
   /// The matrix is formed now.
   void form_matrix(Changed changed);
-  /// The matrix has been formed. Returns what of the host's residual is to be evaluated again.
+  /// The matrix has been formed. Returns the part of the host's residual that has to be evaluated again.
   Changed matrix_formed();
 
-  /// The host goes on from the state of the last trial. Returns whether it does so with the matrix that it has.
+  /// The host continues from the state of the last trial. Returns whether it keeps its matrix.
   bool keep_matrix();
 
-  /// The host has converged at a state that is a solution, or that is augmented.
+  /// The contacts accept the state at which the host has converged, or augment there.
   void accept() { phase_ = Phase::converged; }
-  /// The host has converged at a state that is no solution. Returns how often it has in this step.
+  /// The contacts reject the state at which the host has converged. Returns the number of rejections in this step.
   int reject(GoesOn with);
 
   /// The state of an earlier time has been restored.

@@ -69,7 +69,7 @@ mixture_contact::BreakingLaw breaking_law(const BreakingParameters& parameters, 
 /// The faults of the parameters, those of breaking among them: a sentence each.
 std::vector<std::string> tie_complaints(const TieParameters& parameters);
 
-/// Takes over what the sliding contact of broken nodes has of the tie's parameters; what a host has found stays.
+/// Sets the tie's parameters of the sliding contact of broken nodes; values that a host has found stay.
 void follow_tie(ContactParameters& sliding, const TieParameters& tie);
 
 /// The core's settings of a tie. `time_step`: in which elements store solvent [s]; 0: they do not.
@@ -80,5 +80,5 @@ mixture_contact::Settings tie_settings(const ContactParameters& parameters, Solv
 /// alone.
 Exchange tie_exchange(const ContactParameters& parameters, std::vector<FieldAtContact> fields);
 
-/// Says how many of the primary nodes are tied, and what keeps the others free.
+/// A sentence with the number of tied primary nodes, and the reasons why others are free.
 std::string tied_nodes_line(mixture_contact::Index tied, const mixture_contact::UntiedNodes& untied);

@@ -5,16 +5,15 @@
 
 #include <string>
 
-/// Says that secondary nodes which primary facets do not resolve have conditions of their own from now on; a contact's
-/// name and those of its surfaces.
+/// Reports that secondary nodes which primary facets do not resolve now have conditions of their own. Takes the names
+/// of a contact and of its surfaces.
 std::string penetration_line(const std::string& contact, const std::string& primary, const std::string& secondary,
                              const mixture_contact::UndetectedPenetration& overlap);
 
-/// Says that a step has failed which began without a node in contact, and what a user can do about it; a contact's
-/// name.
+/// Reports that a step without a node in contact at its start has failed, with a remedy. Takes the name of a contact.
 std::string open_contact_line(const std::string& contact);
 
-/// Says that automatic penalties are reduced from the next attempt at a step on.
+/// Reports that automatic penalties are reduced from the next attempt at a step on.
 std::string reduction_line(double time);
 
 /// The largest overlap of accepted steps under reduced penalties.
@@ -26,7 +25,6 @@ struct AcceptedOverlap {
 /// `divisor`: of the penalties at the end of the run.
 std::string accepted_overlap_line(const AcceptedOverlap& accepted, double divisor);
 
-/// Says that a contact does not resolve an overlap, and what a user can do about it; a contact's name and those of its
-/// surfaces.
+/// Reports an overlap that a contact does not resolve, with a remedy. Takes the names of a contact and of its surfaces.
 std::string overlap_warning(const std::string& contact, const std::string& primary, const std::string& secondary,
                             const mixture_contact::UndetectedPenetration& overlap);

@@ -1,5 +1,5 @@
 /// Entries and sizes of containers by integers of any kind, where containers count in std::size_t, hosts in int and
-/// Eigen in its own index: what calls these needs no cast.
+/// Eigen in its own index: their callers need no cast.
 #pragma once
 
 #include <cstddef>

@@ -50,8 +50,8 @@ class Border {
   void forget() { *this = {}; }
   /// Whether any conditions have been held with it.
   bool has_held() const { return has_held_; }
-  /// Adds to a right-hand side b what holds these conditions, b - C z, given K^-1 b. Returns false, and adds nothing,
-  /// where the matrix with them is singular.
+  /// Subtracts C z from a right-hand side b, so that the solution meets these conditions, given K^-1 b. Returns false,
+  /// without a change, if the matrix with them is singular.
   bool hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
             std::vector<double>& right);
   /// The solution x with these conditions; the one without them where the matrix with them is singular.
@@ -61,7 +61,7 @@ class Border {
   std::optional<Answer> answer(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double> free);
 
  private:
-  /// The z of these conditions, given K^-1 b; empty where the matrix with them is singular.
+  /// The z of these conditions, given K^-1 b; empty if the matrix with them is singular.
   Eigen::VectorXd unknowns(const Solve& solve, const std::vector<Condition>& conditions,
                            const std::vector<double>& free);
   /// K^-1 C of a condition.

@@ -1,6 +1,6 @@
-/// The devices of the solver: what saves it iterations or matrix entries, or keeps it from failing, and is no physics.
+/// The devices of the solver: numerical methods that save iterations or matrix entries, or prevent failures.
 ///
-/// Each has a name and a switch, and is counted where it acts. A step that has failed is tried again without any.
+/// Each has a name and a switch, and the log counts its actions. A failed step is tried again without devices.
 #pragma once
 
 #include "indexing/entries.h"
@@ -50,11 +50,11 @@ std::string names(const DeviceSet& set);
 class DeviceRecord {
  public:
   void acted(Device device) { ++indexing::at(counts_, static_cast<int>(device)); }
-  /// Has no device act until resume(). Returns whether they were suspended for the first time.
+  /// Suspends all devices until resume(). Returns whether this is the first time.
   bool suspend();
   void resume() { is_suspended_ = false; }
   bool is_suspended() const { return is_suspended_; }
-  /// A line on devices that have acted, by name and number; empty where none has.
+  /// A line on devices that have acted, by name and number; empty if none has.
   std::string summary() const;
 
  private:

@@ -13,8 +13,8 @@ bool hold_at(Solver& solver, Place place, double value);
 /// Makes a held value free; the solver's vectors are left as they are. Returns whether it was held.
 bool make_free(Solver& solver, Place place);
 
-/// Makes a held value free, with the value it has now, in the node and in the solver's vectors: without the latter the
-/// solver would set it to what they last knew. Returns whether it was held.
+/// Makes a held value free, with the value it has now, in the node and in the solver's vectors: otherwise the solver
+/// would set it to its last value in these vectors. Returns whether it was held.
 bool release_with_value(Solver& solver, Place place);
 
 /// Brings the solver's vectors in step with the nodal value, where it is free.

@@ -25,10 +25,10 @@ class Helper {
   Helper& operator=(Helper&&) = delete;
   virtual ~Helper() = default;
 
-  /// Why it cannot help in this model, after its name in a sentence; empty where it can.
+  /// The reason why the helper is not available in this model, as the end of a sentence; empty if it is.
   virtual std::string unavailable() const { return {}; }
 
-  /// A time step begins, or an attempt at one. Returns whether it acts by that.
+  /// A time step begins, or an attempt at one. Returns whether the helper acts.
   virtual bool begin_step() { return false; }
   /// Iterations begin: at the start of a step, and after an augmentation.
   virtual void begin_iterations() {}
@@ -40,27 +40,27 @@ class Helper {
   /// again.
   virtual bool adapt_before_residual() { return false; }
 
-  /// Whether the solver is to go on where it has converged, for a reason that can be seen without changing anything.
+  /// Whether the solver must continue after convergence, for a reason that needs no change of the state.
   virtual bool is_settled() const { return true; }
-  /// The last word on a converged state: returns whether the solver is to go on, and prepares that.
+  /// Decides on a converged state: returns whether the solver must continue, and prepares this.
   virtual bool rejects() { return false; }
 
   /// Acts before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
-  /// whether it has; if not, the state is that of before.
+  /// whether it has; if not, the state has not changed.
   virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
-  /// Acts with that matrix.
+  /// Acts with the first matrix of a step.
   virtual void complete_residual() {}
-  /// Whether it multiplies changes of nodal values by the matrix, so that this may have no unknowns that follow them.
+  /// Whether the helper multiplies changes of nodal values by the matrix, which must then have no loads as unknowns.
   virtual bool multiplies_by_matrix() const { return false; }
 
   /// A time step has been solved.
   virtual void end_step() {}
   /// An attempt at a step has failed; the state is that of its start.
   virtual void rewind() {}
-  /// Iterations begin without its help: it takes back what it has changed of the solver and its model.
+  /// Iterations begin without this helper: it restores the solver and its model.
   virtual void let_go() {}
 
-  /// Whether it holds a nodal value, and leaves it to somebody else.
+  /// Whether the helper holds a nodal value and yields it.
   virtual bool holds(Place /*place*/) const { return false; }
   virtual void yield(Place /*place*/) {}
 
@@ -68,8 +68,7 @@ class Helper {
   virtual void archive(Archive& /*archive*/) {}
 };
 
-/// The helpers of a model. One that is switched off hears of nothing but restarts, and stops where iterations
-/// begin.
+/// The helpers of a model. A helper that is off takes part in restarts alone, and stops at the start of iterations.
 class Helpers {
  public:
   /// None.
@@ -97,7 +96,8 @@ class Helpers {
   bool multiply_by_matrix() const;
   void end_step();
   void rewind();
-  /// Has the helper that holds a nodal value, if there is one, keep it or yield it. Returns whether it is kept.
+  /// Makes the helper that holds a nodal value, if there is one, keep it (`keep`) or yield it. Returns whether the
+  /// helper keeps the value.
   bool keeps(Place place, bool keep);
   void archive(Archive& archive);
 
@@ -117,11 +117,10 @@ class Helpers {
   /// Calls `use` with each helper that is on.
   template <class Use>
   void for_each(const Use& use) const;
-  /// Whether the answer of a helper that is on is yes; after the first one no more are asked.
+  /// Whether any helper that is on answers yes; stops at the first one.
   template <class Ask>
   bool any(const Ask& ask) const;
-  /// Whether the answer of a helper that is on is yes, by which it acts: its device counts that. No more are asked
-  /// after the first one.
+  /// Whether any helper that is on answers yes and so acts, which its device counts; stops at the first one.
   template <class Ask>
   bool any_acts(const Ask& ask);
 

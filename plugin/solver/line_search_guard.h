@@ -1,8 +1,8 @@
 /// The guard against an increment that a line search has shortened.
 ///
-/// FEBio's norms are those of the increment after its line search. That compares sums of energies and flows, which
-/// may cancel by chance: it then shortens an increment that Newton's method got right, and most of the residual remains
-/// though all norms are met. The next increment, which is the same, is to be taken as it is.
+/// FEBio's norms are those of the increment after its line search. The search compares sums of energies and flows,
+/// which may cancel by chance. It then shortens a correct increment, and most of the residual remains although all
+/// norms are met. The guard takes the next increment as a whole.
 #pragma once
 
 #include "helper.h"
@@ -15,12 +15,12 @@ class LineSearchGuard : public Helper {
  public:
   explicit LineSearchGuard(Solver& solver) : solver_(solver) {}
 
-  /// The part left out in the last step, or in a failed attempt, counts no more.
+  /// Drops the record of the last step or of a failed attempt.
   bool begin_step() override;
   void try_increment(const std::vector<double>& increment) override;
-  /// Whether a solution that the solver is about to accept took a small part of its last increment for all of it; if so
-  /// the next one is not searched. It does not count if the rest is rounding. Once in a step: where increments
-  /// are rounding, so is the result of the search.
+  /// Whether the line search took a small part of the last increment before the solver accepts a solution; the next
+  /// increment then has no search. A remainder of rounding does not count. Acts once in a step, because the search has
+  /// no meaning for increments of rounding.
   bool rejects() override;
   void let_go() override { allow_search(); }
 

@@ -5,8 +5,7 @@
 /// happens at every early step. Newton's method does not know: it computes the same negative change for ever, the line
 /// search shrinks, and the step fails. Here the clamp is made an inequality that Newton can solve: a concentration that
 /// would become negative is held at zero, as a prescribed value, until its balance wants it to be positive (a
-/// primal-dual active set). The state reached is the one that the clamp means. Nothing happens where nothing is
-/// clamped.
+/// primal-dual active set). The state reached is the one that the clamp means. Models without a clamp do not change.
 #pragma once
 
 #include "helper.h"
@@ -20,7 +19,7 @@ class NonNegativeConcentrations : public Helper {
  public:
   explicit NonNegativeConcentrations(Solver& solver) : solver_(solver) {}
 
-  /// Holds again what was held at the end of the last step: the active set seldom changes much.
+  /// Holds the concentrations that were held at the end of the last step: the active set seldom changes much.
   void begin_iterations() override;
   /// Holds concentrations that have become negative in the solver's vectors, and frees held ones whose balance wants
   /// them positive.

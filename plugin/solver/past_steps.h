@@ -30,10 +30,10 @@ struct Change {
 
 class PastSteps {
  public:
-  /// Judges by the change which curve predicts it best, then keeps it.
+  /// Finds the curve that best predicts the change, then keeps the change.
   void add(const Change& change);
 
-  /// The change that the next step of length dt will make; empty where no curve would have predicted two thirds of the
+  /// The change that the next step of length dt will make; empty if no curve would have predicted two thirds of the
   /// last one.
   Eigen::MatrixXd predicted(double dt) const;
 
@@ -46,7 +46,8 @@ class PastSteps {
   /// The error of the best curve for the last change, as a part of it; 1 where there is no curve.
   double prediction_error() const { return error_; }
 
-  /// Calls `use` with each part of the state, for restart files. Changes come before what was chosen by them.
+  /// Calls `use` with each part of the state, for restart files. Changes come before the curves that they have
+  /// selected.
   template <class Use>
   void for_each_part(const Use& use);
 

@@ -10,7 +10,7 @@
 ///   u = theta P + K^-1 R(x + P),   that is   K u = R(x + P) + theta K P .
 ///
 /// Its tests therefore see by how much the increment corrects the prediction, next to the change of the whole step, and
-/// a step may end with its first iteration. They require what they require of any later iteration.
+/// a step may end with its first iteration. They are as strict as in any later iteration.
 ///
 /// A predicted state is dropped, and the state of the plain start restored, where an element is inverted there, or
 /// where the residual is larger than that of the plain start: free values unchanged, prescribed ones at their new
@@ -26,7 +26,7 @@
 namespace newton {
 
 /// A failed attempt shows that steps as long as it are not smooth. After it as many steps start plainly as the curves
-/// take changes from, so that they have only seen what came after.
+/// take changes from, so that the curves contain later states alone.
 inline constexpr int plain_steps_after_failure = 5;
 
 class Predictor : public Helper {
@@ -34,7 +34,7 @@ class Predictor : public Helper {
   explicit Predictor(Solver& solver) : solver_(solver) {}
 
   std::string unavailable() const override;
-  /// Whether the step that begins is to start at a predicted state.
+  /// Whether the new step starts at a predicted state.
   bool will_predict() const;
   bool predict(const std::function<void()>& arrived) override;
   /// The right-hand side R(x + P) + theta K P.
@@ -56,16 +56,16 @@ class Predictor : public Helper {
   void forget_other_analysis_step();
 
   Solver& solver_;
-  std::vector<PastSteps> variables_;        ///< (dofs of the variable, nodes) each
-  std::vector<PastSteps> loads_;            ///< of each load, (1, 1)
-  std::vector<double> load_values_;         ///< at the end of the last step; empty before the first
-  int analysis_step_ = -1;                  ///< whose steps those are
-  int plain_steps_ = 0;                     ///< how many steps from now on start plainly
-  bool has_predicted_ = false;              ///< whether the present step began at the predicted state
-  bool is_dropping_ = false;                ///< a state is restored that is not that of a failed attempt
-  int iterations_plain_ = 1;                ///< of the last step that began plainly
-  double error_ = 1;                        ///< of the prediction of the last change, the largest of a variable
-  double error_in_vain_ = 0;                ///< the same where a prediction saved no iteration
+  std::vector<PastSteps> variables_;  ///< (dofs of the variable, nodes) each
+  std::vector<PastSteps> loads_;      ///< of each load, (1, 1)
+  std::vector<double> load_values_;   ///< at the end of the last step; empty before the first
+  int analysis_step_ = -1;            ///< whose steps those are
+  int plain_steps_ = 0;               ///< how many steps from now on start plainly
+  bool has_predicted_ = false;        ///< whether the present step began at the predicted state
+  bool is_dropping_ = false;          ///< whether the restored state is a dropped prediction and no failed attempt
+  int iterations_plain_ = 1;          ///< of the last step that began plainly
+  double error_ = 1;                  ///< of the prediction of the last change, the largest of a variable
+  double error_in_vain_ = 0;          ///< the same where a prediction saved no iteration
   std::vector<double> part_of_prediction_;  ///< theta P, per equation; empty except in the first iteration of a step
 };
 

@@ -39,10 +39,10 @@ inline int equation_of(int code) { return is_prescribed(code) ? prescribed(code)
 /// The vectors of the solver, an entry per equation.
 struct Vectors {
   std::vector<double>& total;            ///< values at the start of the step
-  std::vector<double>& change;           ///< what the step has changed so far
+  std::vector<double>& change;           ///< since the start of the step
   std::vector<double>& increment;        ///< the last increment; before the first one, the prescribed increments
   std::vector<double>& residual;         ///< at the start of the iteration
-  std::vector<double>& prescribed_load;  ///< what prescribed increments add to it
+  std::vector<double>& prescribed_load;  ///< part of the residual by prescribed increments
 };
 
 class Solver {
@@ -74,7 +74,7 @@ class Solver {
 
   // The solver
   virtual Vectors vectors() = 0;
-  /// Adds an increment to what the step has changed so far, and evaluates the model there. Throws InvertedElement.
+  /// Adds an increment to the change of the step, and evaluates the model there. Throws InvertedElement.
   virtual void update(std::vector<double>& increment) = 0;
   virtual std::vector<double> evaluate_residual() = 0;
   virtual std::vector<double> times_matrix(const std::vector<double>& vector) const = 0;
@@ -83,10 +83,10 @@ class Solver {
   virtual void set_totals(const std::vector<double>& change) = 0;
   /// Reactions at prescribed values, per equation, as of the last residual; none where the solver clamps nothing.
   virtual const std::vector<double>* reactions_of_clamp() const = 0;
-  /// The tolerance of the line search, 0 for none; null where there is no line search.
+  /// The tolerance of the line search, 0 for none; null if there is no line search.
   virtual double* line_search_tolerance() = 0;
   /// Squares of the residual: of the last trial, over that which the step began with. Below `least` the solver takes
-  /// equations as solved; null where the residual has other parts than forces.
+  /// equations as solved; null if the residual has other parts than forces.
   struct ResidualSquares {
     double now = 0;
     double first = 0;

@@ -40,14 +40,14 @@ class MatrixPart {
 /// The parts of several contacts, of which D is the sum.
 using MatrixParts = std::vector<const MatrixPart*>;
 
-/// Whether there is nothing in any of them.
+/// Whether all parts are empty.
 bool are_empty(const MatrixParts& parts);
 
 /// The result of splitting for one right-hand side.
 struct Split {
-  std::vector<double> product;  ///< D x: with b - D x for b, K has the solution of K + D; empty for zero
+  std::vector<double> product;  ///< D x: K x' = b - D x gives the solution of K + D; empty for zero
   bool converges = true;        ///< whether each iteration halved the change, at least
-  std::vector<double> x;        ///< that of the product; empty where there is nothing to multiply
+  std::vector<double> x;        ///< the x of `product`; empty if D is zero
   double change = 0;            ///< D times the change of x by the iteration that made it
   double reduction = 0;         ///< of such a change, by another iteration
 };
@@ -65,8 +65,8 @@ struct SeenSweeps {
 };
 
 /// Solves (K + D) x = b except for its last iteration, which is left to the caller: K x' = b - D x. The product D x' is
-/// right to `tolerance`, a part of it, or to that of those `seen`; if iterations do not converge it is as it was
-/// before the first that made the change larger, if there is one.
+/// right to `tolerance`, a part of it, or to that of those `seen`; if the iterations do not converge, it is that before
+/// the first iteration with a growing change.
 Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
             const SeenSweeps& seen = {});
 

@@ -7,7 +7,7 @@
 namespace standalone {
 
 /// Runs a model, its steps, output and summary, as FEBio would. Returns whether it got to its end.
-/// Throws InputError where the model turns out not to be one that can be run.
+/// Throws InputError if the model turns out not to be one that can be run.
 bool run(const Model& model, Log& log);
 
 }  // namespace standalone

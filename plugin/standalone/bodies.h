@@ -11,7 +11,7 @@ namespace standalone {
 /// Local vectors of an element are field by field, in the order of places(): only the fields that its material has.
 class Bodies {
  public:
-  /// Throws InputError where an element is inverted.
+  /// Throws InputError if an element is inverted.
   explicit Bodies(const Model& model);
 
   std::size_t elements() const { return elements_.size(); }
@@ -22,7 +22,7 @@ class Bodies {
   std::vector<int> places(std::size_t e) const;
 
   /// Internal forces of (2.1) and dt times the balances (2.2), (2.3), for nodal values of shape (dofs, nodes).
-  /// Throws StepFailure where an element is inverted.
+  /// Throws StepFailure if an element is inverted.
   VectorXd residual(std::size_t e, const MatrixXd& values, double dt) const;
 
   /// Exact derivative of residual() with the element's nodal values, by automatic differentiation of the law at each
@@ -51,7 +51,7 @@ class Bodies {
     PointHistory last;
   };
 
-  /// Nodal values of the fields of an element, shape (nodes, max_fields); zero for those that it does not have.
+  /// Nodal values of the fields of an element, shape (nodes, max_fields); zero for absent fields.
   MatrixXd nodal_fields(std::size_t e, const MatrixXd& values) const;
 
   const Model& model_;

@@ -15,19 +15,19 @@ class Contact {
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
 
-  /// Throws InputError where the surfaces cannot be in contact.
+  /// Throws InputError if the surfaces cannot be in contact.
   Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
 
   const ContactDefinition& definition() const { return definition_; }
   mixture_contact::ContactInterface& core() const { return *core_; }
   const std::vector<int>& nodes(Side side) const { return surfaces_.nodes(side); }
-  /// A line that says which effects the contact exchanges, and why others are absent.
+  /// A line with the exchanged effects of the contact, and the reason for each absent one.
   const std::string& effects_line() const { return effects_line_; }
 
   /// Takes laws as they are at the end of a step of `dt` [s]: friction knows the ambient pressure, and an automatic
   /// penalty of the traction is reduced as `reduction` says.
   void update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction);
-  /// Whether a reduction has an effect.
+  /// Whether a reduction changes any penalty.
   bool has_reducible_penalty() const;
   /// Reads the materials behind the facets again: the convective part follows the current flow.
   void update_properties(const MatrixXd& values);

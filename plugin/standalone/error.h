@@ -5,7 +5,7 @@
 
 namespace standalone {
 
-/// A model that cannot be run: the text names the tag, its line and what is wrong.
+/// A model that cannot be run: the text names the tag, its line and the fault.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -38,7 +38,7 @@ struct PointState {
   Vector solute_flux = Vector::Zero();   ///< j in the current configuration [nmol/(mm^2 s)]
 };
 
-/// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure where J <= 0.
+/// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure if J <= 0.
 template <class T>
 PointState<T> deform(const Material& material, const PointFields<T>& q) {
   using std::log;
@@ -56,7 +56,7 @@ PointState<T> deform(const Material& material, const PointFields<T>& q) {
   return s;
 }
 
-/// Adds to a deformed solid what flows through it: pressure p = p~ + R T Phi c, and the fluxes of (2.2) and (2.3),
+/// Adds the fluid and the solutes to a deformed solid: pressure p = p~ + R T Phi c, and the fluxes of (2.2) and (2.3),
 ///
 ///   w = -k~ [grad p~ + R T kappa~ (d/d0) grad c~],   1/k~ = 1/k + R T kappa~ c~ (1 - d/d0) / (phi_w d0),
 ///   j = kappa~ d (c~ w / d0 - phi_w grad c~).
@@ -99,8 +99,8 @@ PointState<T> point_state(const Material& material, double gas_energy, const Poi
   return s;
 }
 
-/// The quantities that the fields of a point do work on: row 0 with the virtual value, rows 1 to 3 with its gradient
-/// in the reference configuration, per column
+/// Quantities that are work-conjugate to the fields of a point: row 0 with the virtual value, rows 1 to 3 with its
+/// gradient in the reference configuration, per column
 ///
 ///   u (2.1)  [0; P_i]    p~ (2.2)  [J_0 - J; dt W]    c~ (2.3)  [m_0 - m; dt J_k]
 ///

@@ -19,7 +19,7 @@ class LinearSystem {
   void clear();
   void add(const std::vector<int>& rows, const std::vector<int>& columns, const MatrixXd& tangent);
 
-  /// The tangent, as it was factored last, times a vector.
+  /// Product of the last factorised tangent with a vector.
   VectorXd times(const VectorXd& vector) const { return matrix_ * vector; }
   /// Factors the matrix, with rows and columns of places that are not `free` replaced by those of the identity. Throws
   /// StepFailure where it is singular.

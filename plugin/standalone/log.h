@@ -11,7 +11,7 @@ class Log {
  public:
   explicit Log(bool on_screen = true) : on_screen_(on_screen) {}
 
-  /// Writes to a file as well from now on. Throws InputError where the file cannot be written.
+  /// Writes to a file as well from now on. Throws InputError if the file cannot be written.
   void open(const std::string& path);
 
   /// Like printf.

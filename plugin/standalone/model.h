@@ -168,7 +168,7 @@ struct Model {
   Control control;
   double gas_constant = 0;           ///< R [mJ/(nmol K)]
   double temperature = 0;            ///< [K]
-  std::vector<std::string> solutes;  ///< their names; empty where one has none
+  std::vector<std::string> solutes;  ///< their names; empty if one has none
   std::vector<Material> materials;
   Mesh mesh;
   std::vector<Condition> prescribed;
@@ -177,7 +177,7 @@ struct Model {
   ContactDefinitions contacts;
   std::vector<LoadCurve> curves;
   std::vector<DataFile> data;
-  std::vector<std::string> notices;  ///< what a user should know of parameters without effect
+  std::vector<std::string> notices;  ///< notices for a user about parameters without effect
 
   const Material& material(const Element& element) const { return at(materials, element.material); }
   /// The data that a model may have in its log section, under FEBio's names: x y z, ux uy uz, p, c1 ..., Rx Ry Rz.

@@ -25,10 +25,10 @@ class Newton : private mixture_contact::SteppedModel {
  public:
   Newton(Problem& problem, Log& log);
 
-  /// Decides what is in contact at the current state, and what is at ambient values.
+  /// Decides which nodes are in contact or have ambient values at the current state.
   void begin() { steps_.evaluate(this); }
 
-  /// Solves the step from the current state to `time`. Throws StepFailure where it does not converge.
+  /// Solves the step from the current state to `time`. Throws StepFailure if it does not converge.
   void solve_step(double time, double dt);
 
   /// The state of the start of a step has been restored.

@@ -7,7 +7,7 @@
 
 namespace standalone {
 
-/// Writes the state of a problem to all the files that its model asks for, in the folder of the model.
+/// Writes the state of a problem to all files of its model's output, in the folder of the model.
 class Output {
  public:
   /// Opens the files; throws InputError where one cannot be written.

@@ -17,7 +17,7 @@ class PairedSurfaces {
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
 
-  /// Keeps references. Throws InputError where materials cannot be read.
+  /// Keeps references. Throws InputError if materials cannot be read.
   PairedSurfaces(const Model& model, const PerSide<std::string>& names, const Bodies& bodies);
 
   const std::vector<int>& nodes(Side side) const { return nodes_[side]; }

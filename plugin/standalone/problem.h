@@ -1,4 +1,4 @@
-/// A model at work: its current state, and what acts on it.
+/// A model in a run: its current state, loads and conditions.
 #pragma once
 
 #include "contact.h"
@@ -12,7 +12,7 @@ namespace standalone {
 /// Vectors have one entry per place of a nodal value (see Model::place), whether it is unknown or not.
 class Problem {
  public:
-  /// Throws InputError where a rigid body is not held, or nothing is free. Conditions where no element has the field
+  /// Throws InputError if a rigid body is not held, or nothing is free. Conditions where no element has the field
   /// are void.
   explicit Problem(const Model& model);
 
@@ -38,12 +38,12 @@ class Problem {
 
   /// Switches nodes outside contact to ambient values, and frees the others. Returns whether anything changed.
   bool switch_ambient();
-  /// Adds a change to the nodal values, and what is pending.
+  /// Adds a change and the pending changes to the nodal values.
   void advance(const VectorXd& change);
   /// Prescribed increments that are not yet in the nodal values.
   const VectorXd& pending() const { return pending_; }
 
-  /// Forces on the free places; zero in equilibrium. Throws StepFailure where an element is inverted or a force not
+  /// Forces on the free places; zero in equilibrium. Throws StepFailure if an element is inverted or a force not
   /// finite.
   VectorXd residual();
   /// Assembles the tangent, -d residual/d values.

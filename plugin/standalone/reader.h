@@ -9,7 +9,7 @@ namespace standalone {
 /// Reads a .feb file. Throws InputError, naming tag and line, for whatever is malformed, inconsistent or not supported.
 Model read_model(const std::string& path);
 
-// The sections of a file, each read into its part of the model, and what they share.
+// The sections of a file, each read into its part of the model, and their common data.
 void read_globals(const Tag& section, Model& model);
 void read_materials(const Tag& section, Model& model);
 void read_mesh(const Tag& section, Model& model);

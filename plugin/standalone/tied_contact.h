@@ -10,11 +10,11 @@ namespace standalone {
 /// One tie. Its state, besides the core's multipliers, are the current nodal values that the caller passes.
 class TiedContact {
  public:
-  /// Finds what is tied in the reference configuration. Throws InputError where nothing can be.
+  /// Finds the tied nodes in the reference configuration. Throws InputError if there are none.
   TiedContact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
 
   mixture_contact::Tie& core() const { return *core_; }
-  /// Lines that say which effects the tie exchanges, and how many nodes it ties.
+  /// Lines with the exchanged effects of the tie, and its number of tied nodes.
   const std::vector<std::string>& lines() const { return lines_; }
 
   /// Takes penalties as they are in a step of `dt` [s]: those that follow the materials read these again.

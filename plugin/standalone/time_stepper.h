@@ -15,7 +15,7 @@ class TimeStepper {
   double increment() const { return increment_; }  ///< [s]
   /// Chooses the increment from `time` on, after a step that took `iterations` (0: at the start).
   void advance(double time, int iterations);
-  /// Chooses a smaller increment after a failed step. Returns false where there are no retries left.
+  /// Chooses a smaller increment after a failed step. Returns false if no retries are left.
   bool retry();
   void succeeded() { retries_ = 0; }
 
@@ -26,7 +26,7 @@ class TimeStepper {
 
   const Model& model_;
   Log& log_;
-  const StepControl* rules_;  ///< null where increments are fixed
+  const StepControl* rules_;  ///< null for fixed increments
   double increment_;
   double wanted_;  ///< without the cut for a must point
   int retries_ = 0;

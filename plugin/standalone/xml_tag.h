@@ -16,7 +16,7 @@ namespace standalone {
 
 using Names = std::vector<const char*>;
 
-/// The numbers that are allowed, with words for a message.
+/// The allowed numbers, with words for a message.
 struct Range {
   bool (*holds)(double);
   const char* words;
@@ -43,7 +43,7 @@ class Tag {
 
   std::string name() const { return element_->Name(); }
   int line() const { return element_->GetLineNum(); }
-  /// Throws the InputError "file, line 12, <tag>: what".
+  /// Throws the InputError "file, line 12, <tag>: text".
   [[noreturn]] void fail(const std::string& what) const;
   /// Fails where this tag or one in it holds a tag that was not read. Any tag may have a name.
   void check() const;
@@ -66,7 +66,7 @@ class Tag {
   double number(const Range& range = any) const;
   int integer(int least = std::numeric_limits<int>::min(), int most = std::numeric_limits<int>::max()) const;
   bool flag() const { return integer(0, 1) == 1; }
-  /// The position of the text among these words, from 0; a failure where it is none of them.
+  /// The position of the text among these words, from 0; an error for any other text.
   std::size_t one_of(const Names& words) const;
   /// Numbers separated by commas or blanks; a failure if they are not `count`.
   std::vector<double> numbers(std::size_t count) const;
@@ -76,7 +76,7 @@ class Tag {
   /// Takes the number of a child, if there is one.
   void take(const char* name, double& value, const Range& range) const;
   void take(const char* name, int& value, int least, int most = std::numeric_limits<int>::max()) const;
-  /// Sees to it that a child, if there is one, says one of these words.
+  /// Checks that a child, if there is one, contains one of these words.
   void must_be(const char* name, const Names& words) const;
 
  private:
@@ -92,7 +92,7 @@ class Tag {
 /// the file is missing, too large or no XML.
 void read_xml(const std::string& path, const std::function<void(const Tag&)>& read);
 
-/// Names in quotes with commas between, to say what is allowed.
+/// Names in quotes with commas between, for lists of allowed names.
 template <class List>
 std::string listed(const List& names) {
   std::string list;

@@ -124,5 +124,6 @@ def test_comments_of_a_header_follow_the_rules_on_subjects_and_words():
         "'unbroken' is no word of the field",
         "a sentence begins with its subject, not with 'Of'",
         "a noun in place of 'What'",
+        "a noun in place of 'what'",
         "'told' is no word of the field",
     ]

@@ -19,13 +19,13 @@ inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(
 enum class FrictionKind : std::uint8_t {
   none,
   on_traction,   ///< the traction
-  on_solid_part  ///< what of it the fluid, of both sides or of the one that has it, does not bear
+  on_solid_part  ///< its part that the fluid, of both sides or of the one that has it, does not bear
 };
 
 /// The effects that two surfaces exchange. Scalar fields are counted solvent first (if exchanged),
 /// then solutes.
 struct Effects {
-  bool traction = true;      ///< the surfaces push on each other; false where none of their nodes can move: no unknown
+  bool traction = true;      ///< the surfaces push on each other; false if none of their nodes can move: no unknown
                              ///< is a displacement then, and contact is linear transport
   bool solvent = false;      ///< both surfaces are permeable to the solvent
   std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending

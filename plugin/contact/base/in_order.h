@@ -14,8 +14,8 @@
 namespace mixture_contact {
 
 /// Results of a loop in groups that follow each other: any thread makes the next group, one thread uses the groups in
-/// ascending order. Few groups are held at once, so that what is used is still in the cache and its memory serves the
-/// groups to come.
+/// ascending order. Few groups are held at once, so that a used group is still in the cache, and later groups use its
+/// memory again.
 template <class Result, class Workspace, class Fill, class Use>
 class OrderedResults {
  public:
@@ -38,7 +38,7 @@ class OrderedResults {
   void make_all(Workspace& own) {
     run([&] { return next_ < groups_; }, [&] { return make_next(own); });
   }
-  /// Rethrows one of the exceptions that threads met with.
+  /// Rethrows one of the exceptions of threads.
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
@@ -51,7 +51,7 @@ class OrderedResults {
   static constexpr Index least_groups_per_thread = 16;
   static constexpr Index groups_per_thread = 4;
 
-  /// Calls `step`, which returns whether it found something to do, until nothing remains or a thread has failed.
+  /// Calls `step` until it returns that no work remains, or until a thread has failed.
   template <class Remains, class Step>
   void run(const Remains& remains, const Step& step) {
     try {
@@ -106,11 +106,10 @@ class OrderedResults {
   const Use& use_;
 };
 
-/// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on,
-/// use(i, result), in ascending order on the calling thread, while the others go on: sums and calls of a host come in
-/// the same order whatever the number of threads. Each thread has a copy of the workspace, and results are copies of
-/// the empty one at first, then what others have been used as: what they have of memory serves again. `use` has no
-/// other threads to share its own work with.
+/// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on, use(i,
+/// result), in ascending order on the calling thread, while the others continue: sums and calls of a host come in the
+/// same order whatever the number of threads. Each thread has a copy of the workspace, and results are first copies of
+/// the empty one, then used results, whose memory serves again. `use` has no other threads to share its own work with.
 template <class Workspace, class Result, class Fill, class Use>
 void in_order_with(const Workspace& workspace, const Result& empty, Index count, const Fill& fill, const Use& use) {
   const int threads = thread_count();

@@ -1,4 +1,4 @@
-/// Containers that are indexed as Eigen's matrices are: what is known per node, facet, field or pair.
+/// Containers with Eigen's type of index, for data per node, facet, field or pair.
 #pragma once
 
 #include "base/types.h"

@@ -1,4 +1,4 @@
-/// Loops that OpenMP's threads share, with results that do not depend on how many threads there are.
+/// Loops that OpenMP's threads share, with results that do not depend on the number of threads.
 #pragma once
 
 #include "base/indexed_vector.h"
@@ -24,8 +24,8 @@ inline int thread_count() {
 }
 
 /// Calls body(i, workspace) for each i below `count`, in any order and on several threads, each of which has a copy of
-/// the workspace. A body may write only to what belongs to i, and leaves the workspace as it was found. Rethrows one of
-/// the exceptions that bodies throw. `together`: how many that follow each other are one thread's.
+/// the workspace. A body may write only to the data of i, and leaves the workspace unchanged. Rethrows one of the
+/// exceptions that bodies throw. `together`: how many that follow each other are one thread's.
 template <Index together = 8, class Workspace, class Body>
 void in_parallel_with(const Workspace& workspace, Index count, const Body& body) {
   std::exception_ptr thrown;
@@ -52,14 +52,14 @@ void in_parallel_with(const Workspace& workspace, Index count, const Body& body)
 }
 
 /// Calls body(i) for each i below `count`, in any order and on several threads, which have no workspace. A body may
-/// write only to what belongs to i. Rethrows one of the exceptions that bodies throw. `together`: how many that follow
-/// each other are one thread's.
+/// write only to the data of i. Rethrows one of the exceptions that bodies throw. `together`: how many that follow each
+/// other are one thread's.
 template <Index together = 8, class Body>
 void in_parallel(Index count, const Body& body) {
   in_parallel_with<together>(std::monostate(), count, [&](Index i, std::monostate& /*none*/) { body(i); });
 }
 
-/// use(i, make(i)) for each i below `count`. Nothing is held: the memory of a result serves the next one.
+/// use(i, make(i)) for each i below `count`. No result is kept: the next one uses its memory again.
 template <class Make, class Use>
 void one_by_one(Index count, const Make& make, const Use& use) {
   for (Index i = 0; i < count; ++i) {

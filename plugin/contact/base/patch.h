@@ -57,11 +57,12 @@ struct TangentBlock {
   MatrixXd values;  ///< shape (rows.layout().size(), columns.layout().size())
 };
 
-/// A load at a node, its traction or the flux of a field, as one scalar between what it acts on and depends on.
+/// A load at a node, its traction or the flux of a field, as one scalar between the nodes that it acts on and those
+/// that it depends on.
 struct LoadPlace {
   int node = 0;              ///< of the surface integrated over
   std::optional<int> field;  ///< whose flux it is; none: the traction
-  Patch columns;             ///< what the load depends on; what it acts on is part of that
+  Patch columns;             ///< variables of the load; the nodes that it acts on are among theirs
 };
 
 /// The part of a tangent that a load makes as it follows the unknowns, a product of vectors: work factor variation^T.

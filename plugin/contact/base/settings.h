@@ -19,7 +19,7 @@ enum class Enforcement {
 enum class Integration {
   gauss,    ///< at Gauss points of the primary facets: cheap; not exact where facets of both sides end at different
             ///< places
-  segments  ///< on the pieces into which facets of both sides cut each other: exact there too
+  segments  ///< on the pieces into which facets of both sides cut each other: exact for all facets
 };
 
 /// Penalty of one kind of field.
@@ -39,10 +39,10 @@ struct ReducedPenalty {
   double kept = 1;     ///< part of the accepted loads, beyond those of the gaps, that the step begins with [-]
 };
 
-/// The flow of a solute that a film lets pass.
+/// Coefficients of a film for one solute.
 struct SoluteFilm {
   double permeance = 0;   ///< P_k [mm/s]
-  double reflection = 1;  ///< sigma_k: the part that the flow does not carry along, from 0 to 1 [-]
+  double reflection = 1;  ///< sigma_k: the part that the flow leaves behind, from 0 to 1 [-]
 
   friend bool operator==(const SoluteFilm& a, const SoluteFilm& b) {
     return a.permeance == b.permeance && a.reflection == b.reflection;
@@ -79,24 +79,22 @@ struct FrictionRule {
 /// factor sharpens.
 inline constexpr double default_traction_factor = 1e3;
 inline constexpr double default_flux_factor = 1e5;
-/// Default multiples with two passes, which ask for twice as many conditions as the surfaces have nodes to meet them:
-/// where curved surfaces close, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields
-/// of both.
+/// Default multiples with two passes. These have twice as many conditions as the surfaces can meet: on closing curved
+/// surfaces, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields of both.
 inline constexpr double two_pass_traction_factor = 1e2;
 inline constexpr double two_pass_flux_factor = 1e3;
-/// Default multiple of the stiffness for surfaces that pull: the first iteration draws everything together that lies
-/// within the search radius.
+/// Default multiple of the stiffness for surfaces that pull: the first iteration pulls all surfaces within the search
+/// radius together.
 inline constexpr double tension_traction_factor = 3e2;
 
-/// Default multiple of the stiffness that the tangential penalty is: elastic slip is 1/factor of the shear of
-/// the adjoining elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find what
-/// sticks.
+/// Default tangential penalty as a multiple of the stiffness: elastic slip is 1/factor of the shear of the adjoining
+/// elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find the sticking nodes.
 inline constexpr double default_friction_factor = 1e2;
 
 /// The default of the tangential penalty over a traction penalty that is `factor` times the stiffness: at most 1.
 inline double friction_factor(double factor) { return std::min(1.0, default_friction_factor / factor); }
 
-/// How often an augmented Lagrangian solution takes its multipliers up.
+/// Numbers of augmentations of an augmented Lagrangian solution.
 struct Augmentations {
   int least = 0;
   int most = 10;
@@ -116,14 +114,14 @@ struct Tolerances {
   Augmentations augmentations;
 };
 
-/// The gaps that the surfaces answer with a traction.
+/// Gaps at which the surfaces exert a traction.
 struct GapRule {
   double offset = 0;      ///< gap at which the surfaces are in contact without load [mm]
-  bool tension = false;   ///< whether paired surfaces pull, too, and never part
+  bool tension = false;   ///< whether paired surfaces also pull and never open
   bool may_touch = true;  ///< false: no node ever comes into contact, whatever the gaps
 };
 
-/// How far a point looks for the other surface.
+/// Distances of the search for the other surface.
 struct SearchRule {
   double radius = 0;        ///< largest distance or overlap at which facets are paired [mm]; 0: reach_of() chooses
   double tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still accepted [-]
@@ -140,11 +138,11 @@ struct Settings {
   ReducedPenalty reduced_traction;
   Tolerances tolerances;
   bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
-  bool symmetric = false;  ///< hand out the symmetric part of the tangent
+  bool symmetric = false;  ///< return the symmetric part of the tangent
   GapRule gap;
   Integration integration = Integration::segments;
-  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; on
-                              ///< segments alike
+  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; the same
+                              ///< order on segments
   SearchRule search;
 };
 

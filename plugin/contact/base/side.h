@@ -19,8 +19,8 @@ class PerSide : public std::array<T, 2> {
 
 inline Side other(Side side) { return side == Side::primary ? Side::secondary : Side::primary; }
 
-/// The data of both surfaces as one pass sees them: of the surface it integrates over and of the one that faces
-/// it. It looks at what others own.
+/// The data of both surfaces as one pass sees them: of the surface it integrates over and of the one that faces it.
+/// Refers to data of others.
 template <class T>
 struct Facing {
   const T& primary;

@@ -13,10 +13,10 @@ namespace mixture_contact {
 
 /// The tasks that a host gives a contact.
 enum class Task {
-  search,        ///< which facets face each other, and where
+  search,        ///< search for facets that face each other, and projection
   residual,      ///< the virtual work (2.5)
   stiffness,     ///< status, linearisation, matrix profile and tangent (2.6)
-  augmentation,  ///< whether a solution holds, gaps, and multipliers
+  augmentation,  ///< tests of a solution, gaps, and multipliers
   output         ///< values for plot and log
 };
 inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Task::stiffness, Task::augmentation,
@@ -24,7 +24,7 @@ inline constexpr std::array<Task, 5> all_tasks{Task::search, Task::residual, Tas
 
 /// Seconds, by effect and task.
 struct TimingBreakdown {
-  double shared = 0;    ///< what all effects need: search, geometry, status
+  double shared = 0;    ///< shared by all effects: search, geometry, status
   double traction = 0;  ///< the traction alone
   double friction = 0;  ///< friction alone
   VectorXd fields;      ///< each exchanged scalar field alone, in the order of Effects
@@ -57,7 +57,7 @@ class Stopwatch {
     const std::chrono::duration<double> passed = now - std::exchange(last_, now);
     return passed.count();
   }
-  /// Seconds since the last lap or the beginning; does not begin another lap.
+  /// Seconds since the last lap or the beginning, without a new lap.
   double peek() const { return Stopwatch(*this).lap(); }
 
  private:
@@ -104,18 +104,18 @@ class EffectTimings {
   TimingBreakdown spent_;
 };
 
-/// The number of things of a kind for which the timed one, given by its number, counts. All of fewer than `most` are
-/// timed, of more at least half as many, whatever their count. 0: another one counts for it.
+/// The number of items that a timed item, given by its number, represents; 0 if another item represents it. All items
+/// are timed up to `most`; otherwise at least half of `most` are.
 inline Index stands_for(Index number, Index count) {
   constexpr Index most = 256;
   const Index each = 1 + count / most;
   return number % each == 0 ? each : 0;
 }
 
-/// Charges the work on one pair of facets to effects, on any thread: each call charges what has passed since the last.
+/// Charges the work on one pair of facets to effects, on any thread: each call charges the time since the last.
 class ScopedTimer {
  public:
-  /// times: what is charged; stands_for: for how many pairs, of which 0 are not timed.
+  /// `times`: the charged times; `stands_for`: number of pairs that a timed one represents; 0 is not timed.
   ScopedTimer(EffectTimings& times, Index fields, Index stands_for = 1) : times_(times) {
     if (stands_for > 0) running_.emplace(fields, static_cast<double>(stands_for));
   }
@@ -165,7 +165,7 @@ class TaskClock {
   TaskClock& operator=(TaskClock&&) = delete;
   ~TaskClock() { spent_.shared += watch_.lap() - (spent_.total() - before_); }
 
-  /// Calls something of the host's that is about the equations of a patch.
+  /// Calls a function of the host on the equations of a patch.
   template <class Call>
   void in_host(const Patch& rows, const Call& call) {
     Stopwatch watch;
@@ -174,14 +174,14 @@ class TaskClock {
     spent_.of(rows) += seconds;
     spent_.host += seconds;
   }
-  /// Calls something of the host's that is about all equations of a patch; its time is the host's, and no effect's.
+  /// Calls a function of the host on all equations of a patch; its time is the host's, and no effect's.
   template <class Call>
   void in_host(const Call& call) {
     Stopwatch watch;
     call();
     spent_.host += watch.lap();
   }
-  /// Takes over what threads have charged to effects, `threads` at a time.
+  /// Takes over the times that threads have charged to effects, `threads` at a time.
   void take(EffectTimings& times, int threads) {
     const TimingBreakdown spent = times.take();
     spent_.traction += spent.traction / threads;

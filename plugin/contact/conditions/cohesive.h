@@ -11,8 +11,8 @@
 ///     d = f (lambda - o)/(lambda (f - o)) between o and f, and never less than it was
 ///     (K o)^2 = sigma_c^2 + (tau_c^2 - sigma_c^2) B^eta,    f = 2 (G_n + (G_s - G_n) B^eta)/(K o)
 ///
-/// The state is d and not the largest lambda: at a mode that stays the same both say the same, and at one that changes
-/// d never heals.
+/// The state is d and not the largest lambda: both are equivalent in a constant mode, and d never decreases in a
+/// changing one.
 ///
 /// With a viscosity, damage follows a retarded opening r in place of lambda, dr/dt = (lambda - r)/tau, which a step dt
 /// takes at its end: r = r_0 + dt/(dt + tau) (lambda - r_0).

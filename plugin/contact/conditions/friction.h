@@ -14,12 +14,12 @@ struct FrictionBound {
   double d_pressure;  ///< with p~
 };
 
-/// T_max = mu <-t_n - (1 - phi) (p~ - p*)>, with the normal traction t_n < 0 in compression and what the pressure of
-/// the fluid exceeds the ambient one by [MPa]. mu is the coefficient after the fluid pressure has subsided. No
-/// quotient: at first touch, where t_n and p~ - p* tend to 0 together, so does the bound.
+/// T_max = mu <-t_n - (1 - phi) (p~ - p*)>, with the normal traction t_n < 0 in compression and the excess p~ - p* of
+/// the fluid pressure over the ambient one [MPa]. mu is the coefficient after the fluid pressure has subsided. The
+/// bound has no quotient: it tends to 0 with t_n and p~ - p* at first touch.
 FrictionBound friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
-/// The bound T_max without <>, mu (-t_n - (1 - phi) (p~ - p*)) [MPa]: linear, and negative where nothing presses the
+/// The bound T_max without <>, mu (-t_n - (1 - phi) (p~ - p*)) [MPa]: linear, and negative if no load presses the
 /// solids together.
 FrictionBound linear_friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
@@ -36,14 +36,13 @@ FrictionTraction stick(const Vector3d& trial);
 /// Slip: t_T = T_max tau/|tau|; zero where the trial has no direction.
 FrictionTraction slip(const Vector3d& trial, double bound);
 
-/// Slip within an iteration that began at the trial traction `reference`: the direction varies with the trial as it
-/// does there to first order, at the bound `reference_bound`, and never turns round. A large penalty would have it turn
-/// where the slip comes out a little beyond zero, and Newton's method alternate between two directions of slip around
-/// stick.
+/// Slip within an iteration that began at the trial traction `reference`: the direction varies with the trial to first
+/// order, at the bound `reference_bound`, and never reverses. With a large penalty, a slip slightly beyond zero would
+/// reverse it, and Newton's method would alternate between two directions of slip around stick.
 FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference, double reference_bound);
 
-/// How far a node that slides is beyond the bound along the direction that its iteration began with: where it is not,
-/// the node sticks, also where it would now slide the other way.
+/// The excess of a sliding node over the bound along the initial direction of its iteration. A node without excess
+/// sticks, even if it would now slide in the opposite direction.
 double slip_excess(const Vector3d& trial, double bound, const Vector3d& reference);
 
 /// The dissipation of slip per area: T_max times the part of the slip that is not the compliance of the penalty,

@@ -18,12 +18,12 @@
 
 namespace mixture_contact {
 
-/// Solvent through a film: w_n = L_p ([p~] + R T sum_k (1 - sigma_k) [c~_k]) [mm/s]. Solutes that cross freely have no
-/// part in it.
+/// Solvent through a film: w_n = L_p ([p~] + R T sum_k (1 - sigma_k) [c~_k]) [mm/s]. Solutes that cross freely do not
+/// contribute.
 class SolventMembrane final : public ScalarCondition {
  public:
-  /// `conductance`: L_p [mm^3/(N s)]. `drive`: what each field's jump counts in the driving pressure, 1 for p~ and
-  /// R T (1 - sigma_k) for c~_k [MPa/mM].
+  /// `conductance`: L_p [mm^3/(N s)]. `drive`: coefficient of each field's jump in the driving pressure, 1 for p~ and R
+  /// T (1 - sigma_k) for c~_k [MPa/mM].
   SolventMembrane(int field, double conductance, VectorXd drive)
       : ScalarCondition(field), conductance_(conductance), drive_(std::move(drive)) {}
 
@@ -41,10 +41,10 @@ class SolventMembrane final : public ScalarCondition {
 ///
 ///     j_k = s c1 + P_k B(s/P_k) [c~_k],        B(x) = x/(e^x - 1).
 ///
-/// A slow flow carries the arithmetic mean of both sides, a fast one the concentration that it comes from.
+/// A slow flow transports the arithmetic mean of both sides, a fast one the upstream concentration.
 class SoluteMembrane final : public ScalarCondition {
  public:
-  /// `solvent`: the membrane that the solvent crosses; null where none does. Keeps the pointer.
+  /// `solvent`: the membrane of the solvent; null without one. Keeps the pointer.
   SoluteMembrane(int field, SoluteFilm film, const SolventMembrane* solvent)
       : ScalarCondition(field), film_(film), solvent_(solvent) {}
 
@@ -66,7 +66,7 @@ LawValue against_flow(double permeance, double flow);
 
 /// Conditions of the exchanged fields, in the order of Effects.
 ///
-/// `share`: a half where each of two surfaces has conditions of its own: their fluxes cross the same film.
+/// `share`: a half if each of two surfaces has its own conditions, because their fluxes cross the same film.
 IndexedVector<std::unique_ptr<ScalarCondition>> scalar_conditions(const Effects& effects, const MembraneRule& rule,
                                                                   double share);
 

@@ -3,9 +3,9 @@
 
 namespace mixture_contact {
 
-/// Compliance of a contact whose multipliers are unknowns, over that of the adjoining elements [-]: what is left of a
-/// gap or jump over their drop. Above the rounding of a factorisation, so that a condition on nodes that are all
-/// prescribed has a pivot, and below every figure of interest.
+/// Compliance of a contact whose multipliers are unknowns, over that of the adjoining elements [-]: remaining gap or
+/// jump over their drop. Above the rounding of a factorisation, so that a condition on nodes that are all prescribed
+/// has a pivot, and below every figure of interest.
 inline constexpr double multiplier_compliance = 1e-11;
 
 /// The equation of a multiplier that is an unknown, and its derivatives.

@@ -1,4 +1,4 @@
-/// The laws at the nodes of a surface: penalties, multipliers, and the loads that they make of gaps and jumps.
+/// The laws at the nodes of a surface: penalties, multipliers, and loads from gaps and jumps.
 #pragma once
 
 #include "conditions/friction.h"
@@ -17,10 +17,10 @@ struct Multipliers {
   double traction_penalty_scale = 1;  ///< factor on eps_n that slow augmentations have built up
   VectorXd flux_penalty_scale;        ///< the same per field
   VectorXd accepted_traction;         ///< t_a of the step that was accepted last [MPa]; 0 before any
-  NodeFlags flux_coupled;             ///< which nodes were so then, none before any; empty without fluxes
+  NodeFlags flux_coupled;             ///< flux-coupled nodes of that step; none before any, empty without fluxes
   Matrix3Xd friction;                 ///< lambda_T per node, as the surfaces lay when the step began [MPa]; empty
                                       ///< without friction
-  NodeFlags slips;                    ///< which nodes slid when friction had these values
+  NodeFlags slips;                    ///< sliding nodes at this friction
   double friction_penalty_scale = 1;  ///< as traction_penalty_scale, of the tangential penalty
 };
 
@@ -36,7 +36,7 @@ struct FrictionTrial {
 /// plane.
 FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vector3d& past);
 
-/// Friction of a node in contact, as its status has it.
+/// Friction of a node in contact by its status.
 FrictionTraction friction_law(const NodalLoads& loads, Index node);
 
 /// Rounding of averaged gaps and jumps, over the size of the surface or the field.
@@ -48,10 +48,10 @@ inline constexpr double accepted_margin = 2e-2;
 
 class NodalLaws {
  public:
-  /// Keeps references to the surfaces and what they exchange.
+  /// Keeps references to the surfaces and their effects.
   NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings);
 
-  /// Forgets accepted steps: their tractions, friction, stick and slip, and which nodes were flux-coupled.
+  /// Drops accepted steps: their tractions, friction, stick and slip, and flux-coupled nodes.
   void forget_steps();
   /// Recomputes the penalties after the properties of the surfaces, or settings, have changed.
   void update_penalties();
@@ -78,14 +78,14 @@ class NodalLaws {
   /// Friction penalties of all nodes, before slow augmentations have built them up.
   VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
 
-  // The largest multiples of stiffness and conductance that augmentations may bring penalties to
+  // Limits of augmented penalties, as multiples of stiffness and conductance
   double largest_traction_factor() const {
     return normal().penalty_factor(has_twin()) / settings_.reduced_traction.divisor;
   }
 
   /// Whether the surface that these nodes face has conditions of its own.
   bool has_twin() const { return settings_.two_pass || may_meet_itself(); }
-  /// Whether the surface may come to face parts of itself.
+  /// Whether the surface may meet itself.
   bool may_meet_itself() const { return primary_.may_meet_itself(); }
   /// The condition between traction and gap.
   const NormalCondition& normal() const { return normal_condition(settings_.gap); }
@@ -94,50 +94,50 @@ class NodalLaws {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
   }
 
-  /// Sets traction and fluxes of the nodes in contact as their conditions have them from gaps and jumps; without
-  /// penalty, to lambda.
+  /// Sets traction and fluxes of the nodes in contact by their conditions from gaps and jumps; without penalty, to
+  /// lambda.
   void load(NodalLoads& loads, bool with_penalty) const;
 
   FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
   /// The bound without <>: its sign decides whether a node has a positive friction bound.
   double rubbing(const NodalLoads& loads, Index node) const;
-  /// Sets bound and friction of the nodes in contact as their status has it.
+  /// Sets bound and friction of the nodes in contact by their status.
   void load_friction(NodalLoads& loads) const;
-  /// Sets what friction refers to in an iteration that begins with status and trials of `loads`: the trials and bounds
-  /// that the last one predicted, or its own. Friction of a node that closes after an iteration does not turn: the
-  /// bound that its overlap makes is as much too large as the penalty is.
+  /// Sets the reference of friction in an iteration that begins with status and trials of `loads`: the trials and
+  /// bounds that the last one predicted, or its own. Friction of a node that closes after an iteration does not turn:
+  /// the bound that its overlap makes is as much too large as the penalty is.
   void refer_friction(NodalLoads& loads, const NodalLoads* predicted) const;
-  /// Nodes in contact that slide where nothing has been decided: those whose trial exceeds the bound.
+  /// Nodes in contact that slide before any decision: those whose trial exceeds the bound.
   NodeFlags beyond_bound(const NodalLoads& loads) const;
-  /// Multipliers of friction that have the present tractions for their trial where nothing slides any further.
+  /// Multipliers of friction whose trial equals the present tractions without further slip.
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
-  /// Takes the present friction and status over.
+  /// Accepts the present friction and status.
   void take_friction(const NodalLoads& loads);
   /// The start of a step: tractions for the geometric part of the tangent, none larger than in the equilibrium that the
   /// last one ended with. A larger one comes from a large penalty and an overlap in no equilibrium: of meshes at the
   /// start, or where averages are taken over other facets than before.
   VectorXd within_accepted(const VectorXd& traction, double surface_size) const;
 
-  /// The traction that a large penalty makes of the rounding of gaps [MPa].
+  /// The traction from the rounding of gaps under a large penalty [MPa].
   double traction_rounding(double surface_size) const;
   /// Per field; values and jumps below this are rounding: of the field itself and, as the solvent's pressure comes from
   /// the motion of the solid, of the stress that rounding of positions makes of the stiffness.
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;
-  /// Whether an attempt at a step begins in contact around all points that overlap: one after an attempt that has
-  /// failed for want of contact, or before contact has borne anything. Too few nodes may leave a body free to turn. A
-  /// node that closes so opens again where it is pulled.
+  /// Whether an attempt at a step begins in contact around all points that overlap: after an attempt that failed
+  /// without contact, or before contact has borne a load. With too few nodes, a body may be free to turn. A closed node
+  /// that is pulled opens again.
   bool close_overlapped = false;
-  /// Whether no node of either surface moves by itself.
+  /// Whether no node of either surface has displacements of its own.
   bool between_rigid_bodies = false;
   /// Whether a rigid body of either surface is free to move and has no inertia: it may have the stiffness of this
   /// contact alone, and a step that begins without a node in contact would move it too far.
   bool holds_rigid_body = false;
 
  private:
-  /// Sets the trials, and bound and status where they have not been decided.
+  /// Sets the trials, and bound and status before their first decision.
   void find_friction_limits(NodalLoads& loads) const;
 
   const SurfaceMesh& primary_;
@@ -148,9 +148,9 @@ class NodalLaws {
   IndexedVector<std::unique_ptr<ScalarCondition>> scalars_;  ///< per field
 };
 
-/// Begins a step: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the
-/// geometric part of the tangent. Their jump is not one that fluxes have made, and times a large penalty it would be a
-/// wrong stiffness of that size.
+/// Begins a step: sets fluxes to zero at nodes that were not flux-coupled when the last one ended, for the geometric
+/// part of the tangent. Their jump does not come from fluxes. Multiplied by a large penalty, it would be a large error
+/// of the stiffness.
 void drop_new_fluxes(const Multipliers& multipliers, MatrixXd& flux);
 
 }  // namespace mixture_contact

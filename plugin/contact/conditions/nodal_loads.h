@@ -10,19 +10,19 @@ struct NodalGaps {
   VectorXd area;      ///< tributary area INT psi_a da, over points that face the other surface [mm^2]
   VectorXd gap;       ///< g_a [mm]
   double size = 0;    ///< of the surface, by which rounding of its positions is measured [mm]
-  double offset = 0;  ///< what the gaps are measured from: distance of the surfaces - offset [mm]
+  double offset = 0;  ///< zero of the gaps: distance of the surfaces - offset [mm]
 
-  /// Whether any point around a node faces the other surface.
+  /// Whether a point around the node faces the other surface.
   bool faces(Index node) const { return area[node] > 0; }
 };
 
 /// The status of nodes.
 struct ContactStatus {
   NodeFlags in_contact;
-  NodeFlags flux_coupled;  ///< in contact, and so exchanging fluxes with the other side instead of with the ambient
-  /// In contact, and sliding; empty where it has not been decided, and without friction.
+  NodeFlags flux_coupled;  ///< in contact, exchanging fluxes with the other side instead of the ambient
+  /// In contact, and sliding; empty before the decision, and without friction.
   NodeFlags slips = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
-  /// In contact, and pressed together by more than the fluid bears, so that T_max is not 0; empty alike.
+  /// In contact, with a load above that of the fluid, so that T_max is not 0; empty as `slips`.
   NodeFlags rubs = {};  // NOLINT(readability-redundant-member-init)
 };
 
@@ -32,18 +32,18 @@ struct FrictionStatus {
   NodeFlags rubs;
 };
 
-/// Averages around nodes in contact that friction depends on, and what its law says there; empty without friction.
+/// Averages around nodes in contact that friction depends on, and the values of its law; empty without friction.
 ///
 /// The slip s_a is that of the surfaces as they lay when the step began, and F_a takes it to the present tangent plane.
 struct NodalFriction {
   Matrix3Xd slip;                             ///< s_a [mm]
   Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da
-  VectorXd pressure;                          ///< p~ - p* [MPa]; empty where friction does not depend on it
+  VectorXd pressure;                          ///< p~ - p* [MPa]; empty if friction does not depend on it
   IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
   Matrix3Xd trial;                            ///< tau_a [MPa]
   Matrix3Xd reference;                        ///< tau_a that an iteration began with; empty outside iterations
-  VectorXd reference_bound;                   ///< T_max alike
-  Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty alike
+  VectorXd reference_bound;                   ///< T_max that an iteration began with
+  Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty outside iterations
   VectorXd bound;       ///< T_max [MPa]
   Matrix3Xd traction;   ///< t_T [MPa]; 0 out of contact
 
@@ -57,12 +57,11 @@ struct NodalFriction {
   Vector3d normal(Index node) const { return area_vector.col(node).normalized(); }
 };
 
-/// The loads by the laws (2.7)-(2.9) at nodes of the primary surface, from averages around each node: g_a and, alike,
-/// jumps and slips. Traction and fluxes between nodes are interpolated with psi_a.
+/// The loads by the laws (2.7)-(2.9) at nodes of the primary surface, from averages around each node: g_a, jumps and
+/// slips. The functions psi_a interpolate traction and fluxes between nodes.
 ///
-/// Laws at nodes instead of integration points: as many conditions as the surface has nodes can be met at once.
-/// Conditions at more points than that fight each other where meshes do not match, and some of them open and close in
-/// turn.
+/// The laws act at nodes instead of integration points, because a surface can meet as many conditions as it has nodes.
+/// More conditions contradict each other on meshes that do not match, and some of their points open and close in turn.
 struct NodalLoads : NodalGaps, ContactStatus {
   VectorXd traction;   ///< t_a [MPa]; 0 out of contact
   MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points where both sides have the field [mm^2]

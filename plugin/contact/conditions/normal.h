@@ -1,5 +1,5 @@
 /// Conditions between the normal traction and the gap: eq (2.7) of Ateshian, Maas and Weiss (2012), and its counterpart
-/// for surfaces that may pull. The only place that distinguishes the two.
+/// for surfaces that may pull. No other file distinguishes the two.
 #pragma once
 
 #include "base/settings.h"
@@ -10,7 +10,7 @@
 
 namespace mixture_contact {
 
-/// A condition at a node: its load, its next status, and what is admissible. `trial` is the augmented load
+/// A condition at a node: its load, its next status, and its admissible tractions. `trial` is the augmented load
 /// lambda_n + eps_n g of a node [MPa], negative in compression.
 class NormalCondition {
  public:
@@ -33,7 +33,7 @@ class NormalCondition {
   virtual bool stays(double traction, double least) const = 0;
   /// Whether a node that faces the other surface comes into contact; overlap loads up to `least` [MPa] do not decide.
   virtual bool closes(double trial, double least) const = 0;
-  /// Whether surfaces that face each other may part.
+  /// Whether surfaces that face each other may open.
   virtual bool may_part() const = 0;
 
   /// The residual of the condition at a node in contact [mm].
@@ -42,7 +42,7 @@ class NormalCondition {
   virtual double penalty_factor(bool both_ways) const = 0;
 };
 
-/// t_n = min(0, lambda_n + eps_n g), eq (2.7): surfaces push and part.
+/// t_n = min(0, lambda_n + eps_n g), eq (2.7): surfaces push and open.
 class Unilateral final : public NormalCondition {
  public:
   double admissible(double traction) const override { return std::min(0.0, traction); }
@@ -50,7 +50,7 @@ class Unilateral final : public NormalCondition {
   bool stays(double traction, double least) const override { return traction <= least; }
   bool closes(double trial, double least) const override { return trial < -least; }
   bool may_part() const override { return true; }
-  /// Surfaces that touch without a load meet the condition, g >= 0 and t_n = 0, whatever rounding leaves of the gap.
+  /// Surfaces that touch without a load meet the condition, g >= 0 and t_n = 0, for any rounding of the gap.
   double residual_gap(double gap, double traction) const override { return traction < 0 ? gap : 0.0; }
   double penalty_factor(bool both_ways) const override;
 };
@@ -70,7 +70,7 @@ class Bilateral final : public NormalCondition {
 /// The nearest tractions of nodes that a condition allows [MPa].
 VectorXd admissible(const NormalCondition& condition, const VectorXd& tractions);
 
-/// The condition that a user's choice of gaps asks for.
+/// The condition by a user's settings of gaps.
 const NormalCondition& normal_condition(const GapRule& gap);
 
 }  // namespace mixture_contact

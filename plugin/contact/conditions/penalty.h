@@ -6,7 +6,7 @@
 
 namespace mixture_contact {
 
-/// Penalties of a primary surface, per facet or per node, and what they are measured against.
+/// Penalties of a primary surface, per facet or per node, with their stiffness and conductance.
 struct Penalties {
   VectorXd traction;     ///< eps_n per facet [N/mm^3]
   MatrixXd flux;         ///< eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
@@ -16,9 +16,9 @@ struct Penalties {
 };
 
 /// An element of stiffness E/h takes up solvent in a time step dt like a conductance of h/(E dt) [mm^3/(N s)]: in steps
-/// far below the time in which it drains, fluxes are that large, and a jump over a penalty that knows of flow alone is
-/// a large part of the pressure. This part of it, times the default factor, leaves a jump of a thousandth, as the
-/// default leaves of the traction's.
+/// far below the time in which it drains, fluxes fill this storage, and a penalty from the permeability alone would
+/// leave a jump as large as a part of the pressure. This part of the storage, times the default factor, leaves a jump
+/// of a thousandth, as the default does for the traction.
 inline constexpr double storage_part = default_traction_factor / default_flux_factor;
 
 /// Stiffness or conductance of two sides in series, doubled so that equal sides give their own value: 2 k1 k2 / (k1 +

@@ -17,7 +17,7 @@ struct Enforcing {
 struct FluxLaw {
   double value = 0;
   VectorXd d_jump;  ///< with NodalLoads::jump at the node, per field
-  VectorXd d_own;   ///< with NodalLoads::own alike
+  VectorXd d_own;   ///< with NodalLoads::own at the node, per field
 };
 
 /// The condition of one field. A flux depends on jumps around the node and on the fields' values there: p~ of the
@@ -33,7 +33,8 @@ class ScalarCondition {
 
   /// Index of the field, in the order of Effects.
   int field() const { return field_; }
-  /// Whether the jump is to vanish, by penalties that may grow and multipliers. Else the flux is a law of the scene.
+  /// Whether the condition is a zero jump, enforced by penalties and multipliers; otherwise the flux is a law of the
+  /// scene.
   virtual bool is_enforced() const = 0;
   /// The fields that the flux depends on, its own among them.
   virtual FieldMask drivers() const = 0;

@@ -6,18 +6,18 @@
 
 namespace mixture_contact {
 
-/// Who takes the parts of a tangent.
+/// Recipients of the parts of a tangent.
 struct TangentParts {
   AddBlock block;
   AddLoadBlock load;  ///< load blocks, where tangents consist of them; empty: all come as their products
-  AddRows rows;       ///< geometric parts that are held, by nodes; empty: they are blocks of pairs of facets
+  AddRows rows;       ///< held geometric parts by nodes; empty: blocks by pairs of facets
 };
 
-/// Who takes what couples with each other.
+/// Recipients of the couplings of a tangent.
 struct Couplings {
   UsePatch patch;
-  UseLoad load;  ///< what couples through a load alone, where tangents consist of load blocks; empty: all are patches
-  UseRows rows;  ///< what couples by geometric parts that are held; empty: all are patches
+  UseLoad load;  ///< couplings through a load alone, if tangents consist of load blocks; empty: all are patches
+  UseRows rows;  ///< couplings by held geometric parts; empty: all are patches
 };
 
 class HeldLinearisation;
@@ -43,13 +43,12 @@ class ContactGeometry {
   virtual void start_inactive(const FacingFields& fields) = 0;
   virtual void take_multipliers() = 0;
   virtual void end_iterations() = 0;
-  /// Forgets what iterations that have ended leave for those to come, so that these depend on the state alone.
+  /// Drops all data of past iterations, so that later ones depend on the state alone.
   virtual void forget_past() = 0;
-  /// Has nodes at the edge of contact tried once more (see ActiveSet::reconsiders_edge()). Returns whether a solution
-  /// has any.
+  /// Retries edge nodes of a solution (see ActiveSet::reconsiders_edge()). Returns whether the solution has any.
   virtual bool reconsiders_edge(const FacingFields& fields) = 0;
   virtual bool is_solution(const FacingFields& fields) const = 0;
-  /// The linearisation of iterations; null where surfaces are fixed and gaps linear by themselves.
+  /// The linearisation of iterations; null if surfaces are fixed and gaps linear by themselves.
   virtual HeldLinearisation* held() = 0;
 
   virtual NodalLoads loads(const FacingFields& fields) const = 0;
@@ -57,7 +56,7 @@ class ContactGeometry {
   virtual void residual(const FacingFields& fields, double dt, const AddVector& add) const = 0;
   virtual void tangent(const FacingFields& fields, double dt, const TangentParts& add) const = 0;
   virtual void for_each_coupling(const Couplings& use) const = 0;
-  /// Bytes that it keeps between calls.
+  /// Bytes kept between calls.
   virtual std::size_t memory() const = 0;
 };
 
@@ -66,7 +65,7 @@ void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
                    const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const VectorXd& weights,
                    double dt, const TangentParts& add);
 
-/// Whether the loads at nodes come apart from the rest.
+/// Whether the loads at nodes are separate from the other parts.
 inline bool takes_loads(const EnforcementMethod& method, const Couplings& use) {
   return use.load && method.has_load_blocks();
 }

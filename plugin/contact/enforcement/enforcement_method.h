@@ -1,4 +1,4 @@
-/// How the conditions of contact are enforced at nodes: what takes the place of gaps and jumps that are exactly zero.
+/// The enforcement of the conditions of contact at nodes, by penalties or by unknown multipliers.
 #pragma once
 
 #include "conditions/nodal_laws.h"
@@ -70,7 +70,7 @@ class EnforcementMethod {
   const NodalLaws& laws_;
 };
 
-/// The method that the settings ask for.
+/// The method by the settings.
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws);
 

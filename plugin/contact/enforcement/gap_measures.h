@@ -1,4 +1,4 @@
-/// How well a solution meets its conditions, free of units, and how fast penalties grow where it does not.
+/// Measures without unit of the error in the conditions, and the growth of penalties after a large error.
 #pragma once
 
 #include "base/effects.h"
@@ -8,7 +8,7 @@
 
 namespace mixture_contact {
 
-/// How well one field meets its condition over the contact area.
+/// The error of one field in its condition over the contact area.
 struct FieldGap {
   double relative = 0;  ///< rms gap or jump over the drop across the adjoining elements that the load causes [-]
   double largest = 0;   ///< largest |gap| or |jump| in contact, in the field's unit
@@ -27,8 +27,8 @@ inline double larger(double one, double other) { return one > other || std::isna
 /// Sums over the contact area from which a FieldGap is formed.
 class GapSums {
  public:
-  /// Adds a node. `base`: stiffness or conductance of the adjoining elements; `field`: what its jump is measured by
-  /// where no load flows.
+  /// Adds a node. `base`: stiffness or conductance of the adjoining elements; `field`: the scale of the jump if no load
+  /// flows.
   void add(double area, double base, double jump, double load, double field);
   /// rms(base jump)/rms(load), and the largest jump. Nothing over nothing is no gap.
   FieldGap field_gap() const;
@@ -47,9 +47,9 @@ bool is_within(const FieldGap& gap, const Tolerances::Field& tolerance);
 /// Whether a report meets the tolerances of the settings.
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects);
 
-/// Multiplies the scale of a field's penalties by ten where the field misses its tolerance, at most to what brings the
-/// smallest penalty to `accurate` times the largest base. Facets without a penalty (impermeable ones) have no say.
-/// Returns whether it has grown.
+/// Multiplies the scale of a field's penalties by ten if the field misses its tolerance. The smallest penalty grows to
+/// `accurate` times the largest base at most. Facets without a penalty (impermeable ones) do not count. Returns whether
+/// the scale has grown.
 bool grow(double& scale, const FieldGap& gap, const Tolerances::Field& tolerance, const VectorXd& penalties,
           const VectorXd& bases, double accurate);
 

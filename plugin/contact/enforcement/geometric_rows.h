@@ -7,15 +7,15 @@
 
 namespace mixture_contact {
 
-/// A coupling of two nodes across the contact is weak where its entries are this part of the largest of their row, at
-/// most: what is left of entries that cancel, where the rule on the pieces is exact.
+/// A coupling of two nodes across the contact is weak if its entries are at most this part of the largest of their row.
+/// Entries that cancel leave such a part, if the rule on the pieces is exact.
 inline constexpr double weak_coupling = 1e-5;
 
 /// Blocks of one effect, each with the rows of one node, by the displacements of the nodes that they depend on.
 using NodeRows = IndexedVector<TangentBlock>;
 
-/// The rows of tractions, given how many nodes the surfaces have, without couplings that are weak. `held`: rows that
-/// are known, of nodes whose pairs are as they were.
+/// The rows of tractions without weak couplings, given the numbers of nodes of the surfaces. `held`: rows that are
+/// known, of nodes whose pairs are as they were.
 NodeRows traction_rows(const GeometricParts& pairs, PerSide<Index> nodes, double weak = weak_coupling,
                        NodeRows held = {});
 

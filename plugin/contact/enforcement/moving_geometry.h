@@ -36,18 +36,18 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  /// Decides about friction from the loads at a state.
+  /// Decides stick and slip from the loads at a state.
   using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
   /// The state of an iteration without its linearisation and the loads of the geometric part.
   LinearisationPoint evaluated_at(const FacingFields& fields, NodalLoads averages, const DecideFriction& decide,
                                   const NodalLoads* predicted) const;
   /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
   bool find_points(const FacingPositions& x);
-  /// Holds nothing any more; the next iterations may take over what there was.
+  /// Drops the linearisation; the next iterations may reuse it.
   void let_go();
-  /// Linearises, and holds what an iteration does.
+  /// Linearises at a state, and holds the result for an iteration.
   void hold(LinearisationPoint point, const FacingFields& fields);
-  /// The geometric part of the tangent that is held for these positions; null where none is.
+  /// The held geometric part of the tangent for these positions; null if there is none.
   const GeometricPart* geometric_at(const FacingPositions& x) const;
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   FrictionStatus initial_friction(const NodalLoads& now) const {
@@ -57,10 +57,10 @@ class MovingGeometry : public ContactGeometry {
   NodalLoads initial_averages(const FacingFields& fields) const;
   /// Status of an iteration that begins at the present loads and gaps (see ContactPass::begin_iteration()).
   NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
-  /// Status that the present loads and gaps ask for.
+  /// Status by the present loads and gaps.
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
-  /// Multipliers of friction, carried along with the surface since the step began.
+  /// Multipliers of friction, convected with the surface since the start of the step.
   Matrix3Xd present_multipliers(const NodalFriction& friction) const;
 
   MortarSpace& space_;
@@ -68,10 +68,10 @@ class MovingGeometry : public ContactGeometry {
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
   std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
-  std::optional<GeometricPart> geometric_;   ///< there, until the surfaces move
-  LastLinearisation last_;                   ///< once these two are held no more
+  std::optional<GeometricPart> geometric_;   ///< at the point, until the surfaces move
+  LastLinearisation last_;                   ///< after these two have been dropped
   HeldLinearisation held_;                   ///< at the point
-  bool augmented_ = false;                   ///< since the last iteration began
+  bool augmented_ = false;                   ///< since the start of the last iteration
 };
 
 }  // namespace mixture_contact

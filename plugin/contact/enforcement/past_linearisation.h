@@ -1,4 +1,4 @@
-/// The last linearisation, and what of it still holds at another state.
+/// The last linearisation, and its parts that are still valid at another state.
 #pragma once
 
 #include "enforcement/geometric_rows.h"
@@ -8,13 +8,13 @@
 
 namespace mixture_contact {
 
-/// The largest part by which something may have changed that a linearisation still serves: motions as a part of the
-/// shortest edge of a facet, values of fields of their range, loads of the largest one.
+/// The largest relative change after which a linearisation may be reused: motions relative to the shortest edge of a
+/// facet, values of fields to their range, loads to the largest one.
 ///
-/// An iteration with a tangent that is off by delta misses a gap by delta of its increment; the penalty eps makes a
-/// load of that, delta of which pushes aside and moves what is there by eps delta^2/k, with k the stiffness of the
-/// adjoining elements (a conductance alike). That is to be a tenth of the increment, at most, and delta a thousandth.
-/// The sizes are choices.
+/// A tangent with the relative error delta leaves the part delta of the increment of a gap. The penalty eps makes a
+/// load of this gap, and delta of this load acts sideways and moves the bodies by the part eps delta^2/k of the
+/// increment, with the stiffness k of the adjoining elements (for a flux, the conductance). This part has to be at most
+/// a tenth, which gives delta = 1/1000. The sizes are choices.
 double same_to_linearisation(const NodalLaws& laws);
 
 /// The source of a linearisation.
@@ -51,14 +51,14 @@ struct PastLinearisation {
   GeometricPart geometric;
 };
 
-/// The last linearisation, in the parts that it is let go in: the geometric one as the surfaces move, the point as its
-/// iterations end.
+/// The last linearisation, in the two parts that the contact drops: the geometric part when the surfaces move, the
+/// point when its iterations end.
 class LastLinearisation {
  public:
-  /// Takes a part over that is held no more, if there is one.
+  /// Takes over a dropped part, if there is one.
   void take_over(std::optional<GeometricPart>& held);
   void take_over(std::optional<LinearisationPoint>& held);
-  /// Gives it away; none where there are not both parts.
+  /// Hands the linearisation out; none unless both parts are here.
   std::optional<PastLinearisation> take();
 
   std::size_t memory() const;
@@ -68,9 +68,9 @@ class LastLinearisation {
   std::optional<LinearisationPoint> point_;
 };
 
-/// The nodes around which something has changed by more than a part `same` from the source of a linearisation to a
-/// point: status, loads, weights, or at all of them the state or the points. With friction it has at all, since slips
-/// are measured from where each step begins.
+/// The nodes with a change of more than a part `same` from the source of a linearisation to a point. Status, loads and
+/// weights change single nodes; the state and the points change all. Friction changes all, because each step measures
+/// slips from its start.
 NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,
                         const MortarSpace& space, double same);
 

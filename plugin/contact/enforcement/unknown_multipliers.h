@@ -7,8 +7,8 @@
 namespace mixture_contact {
 
 /// Loads are the multipliers. Each has an equation: gap or jump = 0, or a membrane's law, in contact, mu = 0 elsewhere
-/// (conditions/multiplier.h), weighted such that the equation is in the units of the residual of its field, and rows
-/// and columns of the tangent are alike.
+/// (conditions/multiplier.h), with weights that give the equation the units of the residual of its field, and the
+/// tangent similar rows and columns.
 class UnknownMultipliers : public EnforcementMethod {
  public:
   using EnforcementMethod::EnforcementMethod;
@@ -17,7 +17,7 @@ class UnknownMultipliers : public EnforcementMethod {
   NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
   bool predicts() const override { return false; }
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const override;
-  /// Each node with the multipliers alone: loads are unknowns, which no displacement or field changes.
+  /// Each node with its multipliers alone: loads are unknowns, independent of displacements and fields.
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override;
   void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const override;
   bool has_load_blocks() const override { return false; }

@@ -20,7 +20,7 @@ void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalL
 template <class Flat>
 struct EffectTangent {
   TangentBlock block;        ///< without values where `flat` has them
-  std::optional<Flat> flat;  ///< of a flat pair, unless the tangent is to be symmetric
+  std::optional<Flat> flat;  ///< of a flat pair, except in a symmetric tangent
 };
 using TractionTangent = EffectTangent<FlatForces>;
 using FluxTangent = EffectTangent<FlatFlows>;

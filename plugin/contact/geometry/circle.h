@@ -1,4 +1,4 @@
-/// Circles around facets: what does not meet the circle does not meet the facet.
+/// Circles around facets: a line that misses the circle misses the facet.
 #pragma once
 
 #include "geometry/surface.h"

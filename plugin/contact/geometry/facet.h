@@ -19,7 +19,7 @@ int node_count(FacetType type);
 /// Whether the facet is a triangle (else a quadrilateral).
 bool is_triangle(FacetType type);
 
-/// How many corners a facet has: the first nodes of every type.
+/// Number of corners of a facet, which are the first nodes of every type.
 int corner_count(FacetType type);
 
 /// Whether a facet is flat wherever its nodes are: its shape functions have the same slopes everywhere.
@@ -73,18 +73,18 @@ struct SubFacet {
 /// four triangles, or six around the middle node. They are parallelograms or triangles in parametric coordinates.
 const std::vector<SubFacet>& sub_facets(FacetType type);
 
-/// The nodes around a facet, those amid its edges between its corners, in the order of its corners.
+/// The nodes around a facet in the order of its corners, with mid-edge nodes between these.
 const std::vector<int>& outline(FacetType type);
 
-/// The sub-facet that a place lies on, or lies nearest to, as its number in sub_facets().
+/// The sub-facet at or nearest to a point, as its number in sub_facets().
 int sub_facet_at(FacetType type, const Vector2d& xi);
 
 /// Shape functions psi_a of tractions, fluxes and multipliers, and the weights of nodal averages: linear on each
 /// sub-facet (bilinear on quadrilaterals), 1 at their own node and 0 at the others; the value at the middle of an
 /// 8-node quadrilateral is the mean of its mid-edge nodes. They add up to 1 and are nowhere negative on the facet,
-/// which those of quadratic facets are not, so that every part of a facet has weights to average with (Puso, Laursen
-/// and Solberg 2008, Comput Methods Appl Mech Eng 197:555-566). `sub_facet`: that of the place, whose functions go on
-/// beyond it.
+/// unlike the shape functions of quadratic facets. Every part of a facet therefore has positive weights (Puso, Laursen
+/// and Solberg 2008, Comput Methods Appl Mech Eng 197:555-566). `sub_facet`: that of the point, whose functions
+/// continue beyond it.
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
 
 /// The parts in which the nodes that count take the function of a node that does not, shape (n): its neighbours that do
@@ -93,9 +93,8 @@ ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2
 FacetVector heirs_of(FacetType type, int node, const FacetVector& counts);
 
 /// Functions psi_a redistributed among the nodes of their facet that count, at least one: each of the others gives its
-/// own, in equal parts, to its neighbours that count, or if there are none to all that do. They add up to 1 as
-/// before and are nowhere negative where those given are not. `counts`: 1 for nodes that count, 0 for the others, shape
-/// (n).
+/// own, in equal parts, to its neighbours that count, or if there are none to all that do. They add up to 1, and are
+/// nowhere negative if the given ones are not. `counts`: 1 for nodes that count, 0 for the others, shape (n).
 ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
 
 /// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
@@ -105,12 +104,13 @@ struct Facet {
 
   int count() const { return node_count(type); }
   int node(Index a) const { return nodes[static_cast<std::size_t>(a)]; }
-  /// The nodes that count.
+  /// The first node_count(type) nodes.
   const int* begin() const { return nodes.data(); }
   const int* end() const { return nodes.data() + count(); }
 };
 
-/// The number of a surface's node among the nodes of a facet, in node order; facet.count() where it is not there.
+/// The number of a surface's node among the nodes of a facet, in node order; facet.count() if the facet does not
+/// contain it.
 Index number_in(const Facet& facet, Index node);
 
 /// Columns of a per-node array that belong to a facet's nodes, shape (3, n).

@@ -16,7 +16,7 @@ struct FlatMoments {
 
   /// Adds a point with this quadrature weight; on a triangle psi_c are the shape functions.
   void add(double weight, const Vector2d& xi, const Vector2d& eta);
-  /// Sums with psi_c that are redistributed: column c says in which parts the nodes take psi_c.
+  /// Sums with psi_c that are redistributed: column c contains the parts of psi_c that the nodes take.
   FlatMoments redistributed(const Eigen::Matrix3d& heirs) const { return {heirs * primary, heirs * secondary}; }
 };
 

@@ -61,7 +61,7 @@ struct KinematicVariations {
   PairVariation<2> eta;          ///< d eta_beta: how the projected point moves over the secondary facet
   PairVariation<3> area_vector;  ///< da
   PairVariation<1> area;         ///< d|a|
-  PairVariation<2> xi;           ///< d xi_alpha: how the point moves over the primary facet; empty where it does not
+  PairVariation<2> xi;           ///< d xi_alpha: how the point moves over the primary facet; empty if it does not
   PairVariation<1> weight;       ///< d(weight)/weight; empty likewise
 
   /// Whether the point moves over the primary facet.

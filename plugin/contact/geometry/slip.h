@@ -39,8 +39,8 @@ struct Convection {
   double area;                    ///< |X,1 x X,2| at the node
 };
 
-/// F takes a vector of the tangent plane then to what it is now, turned with the surface and stretched with it, and
-/// drops a normal part. Zero where the facet has no area there.
+/// F maps a vector of the past tangent plane to the present: it turns and stretches with the surface, and drops a
+/// normal part. Zero if the facet has no area there.
 Convection convection(const Facet& facet, Index corner, const FacetCoordinates& past);
 
 }  // namespace mixture_contact

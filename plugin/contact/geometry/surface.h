@@ -1,4 +1,4 @@
-/// A contact surface as data: facets, what may pass through them, and the fields on its nodes.
+/// A contact surface as data: facets, the fields that they let through, and the values at its nodes.
 #pragma once
 
 #include "base/effects.h"
@@ -15,7 +15,7 @@ namespace mixture_contact {
 struct SurfaceMesh {
   int nodes = 0;
   IndexedVector<Facet> facets;
-  IndexedVector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields that the material behind it knows
+  IndexedVector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields of the material behind it
   VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
   MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where impermeable
 
@@ -23,10 +23,10 @@ struct SurfaceMesh {
   IndexedVector<int> node_ids;  ///< per node: its number in the host's mesh, the same for both surfaces
   VectorXd thickness;           ///< per facet: of the element behind it [mm]; empty: not known
 
-  NodeFlags joined;  ///< per node: whether both surfaces have it, where no body meets itself; empty: none
+  NodeFlags joined;  ///< per node: whether both surfaces have it, without self-contact; empty: none
 
   bool may_meet_itself() const { return node_ids.count() > 0; }
-  /// Whether the bodies are one at a node: it cannot part from itself, and no ambient reaches it.
+  /// Whether both surfaces share a node: it cannot open and has no ambient values.
   bool is_joined(Index node) const { return joined.count() > 0 && joined[node]; }
 };
 

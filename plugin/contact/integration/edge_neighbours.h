@@ -15,8 +15,8 @@ class EdgeNeighbours {
   /// Keeps a reference.
   explicit EdgeNeighbours(const SurfaceMesh& mesh);
 
-  /// The facet that a surface goes on with across the edge from a corner of a facet to the next one, where it lets the
-  /// same fields through. Empty where the surface ends or folds, or where more than two facets meet.
+  /// The neighbour of a facet across the edge from a corner to the next one, where it lets the same fields through.
+  /// Empty if the surface ends or folds, or where more than two facets meet.
   std::optional<int> across(int facet, int corner) const;
   std::size_t memory() const;
 

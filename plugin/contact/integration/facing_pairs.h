@@ -19,7 +19,7 @@ inline Index number_of(const FacetPair& pair, const IndexedVector<FacetPair>& pa
 
 class FacingPairs {
  public:
-  /// Keeps references to the surfaces and what they exchange.
+  /// Keeps references to the surfaces and their effects.
   FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
@@ -63,7 +63,7 @@ class FacingPairs {
   PairVector values(const FacetPair& pair, int field, const FacingFields& fields) const;
   /// Whether any of the nodes of the primary facet is among those given.
   bool has_node_among(const FacetPair& pair, const NodeFlags& nodes) const;
-  /// For each of the nodes given, the pairs whose primary facet has it.
+  /// The pairs whose primary facet contains a node, for each of the given nodes.
   Lists<const FacetPair*> around(const NodeFlags& nodes) const;
   /// Whether points move over the primary facets as the surfaces move.
   bool moves_points() const { return finder_->moves_points(); }
@@ -96,7 +96,7 @@ class FacingPairs {
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
   IndexedVector<PointKinematics>
-      kinematics_;                   ///< of points of pairs that are not flat, and what serves the next search
+      kinematics_;                   ///< of points of pairs that are not flat, with start values of the next search
   IndexedVector<Index> first_kept_;  ///< per pair the place of its first point among those
   IndexedVector<FlatPair> flat_;     ///< per pair, of those that are
   std::optional<NodeFlags> restriction_;
@@ -105,7 +105,7 @@ class FacingPairs {
     Matrix3Xd primary;
     Matrix3Xd secondary;
   };
-  Positions searched_at_;  ///< where the pairs were found; empty where another search is due
+  Positions searched_at_;  ///< where the pairs were found; empty if another search is due
   bool has_kept_ = false;  ///< whether pairs may be among these that iterations have kept, which have ended
   double surface_size_ = 0;
 };

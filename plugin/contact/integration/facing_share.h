@@ -1,4 +1,4 @@
-/// How much facets count for each other, by the angle between them.
+/// The weight of two facets for each other, by the angle between them.
 ///
 /// A gap along a normal n1 is the distance between the surfaces over c = -n1.n2. A side that turns away from contact at
 /// an edge and leans a little still faces the other body, at c near 0: its gaps are many times the distance, and
@@ -21,8 +21,8 @@ namespace mixture_contact {
 /// Bounds of c = -n1.n2 between which the share grows.
 inline constexpr double least_opposition = 0.5;
 inline constexpr double full_opposition = 0.57735026918962;  // 1/sqrt(3), not more
-/// How far parallel facets see each other ahead, over the longest edge of the one that looks: what lies farther ahead
-/// touches no node of it where surfaces bend gently, but would spoil its averages.
+/// The distance of the search between parallel facets, over the longest edge of the searching one: farther facets touch
+/// no node of it if surfaces bend gently, but would spoil its averages.
 inline constexpr double parallel_reach = 0.25;
 
 /// Unit normal in the middle of a facet.
@@ -31,8 +31,8 @@ Vector3d middle_normal(FacetType type, const FacetCoordinates& x);
 /// The share of facets with these unit normals, from 0 to 1.
 double facing_share(const Vector3d& n1, const Vector3d& n2);
 
-/// How much farther facets with these normals see each other ahead than parallel ones. A facet of length L that touches
-/// with one end and is turned by an angle t there has its other end L tan(t) away along its normal.
+/// Extra distance of the search between facets with these normals, compared with parallel ones. A facet of length L
+/// that touches with one end and is turned by an angle t there has its other end L tan(t) away along its normal.
 double tilted_reach(const Vector3d& n1, const Vector3d& n2);
 /// The largest of it, where the share ends.
 double largest_tilted_reach();

@@ -30,9 +30,9 @@ struct FacetPair {
   int secondary = 0;
   Index first = 0;   ///< of the points in between, among those of all pairs
   Index points = 0;  ///< how many there are
-  /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface goes on across all
-  /// edges that they end at within the facet. A pair gains, as such an edge moves, what the next one loses: no sum over
-  /// the pairs depends on how their points move.
+  /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface continues across all of
+  /// their edges within the facet. As such an edge moves, one pair gains the area that the next one loses: no sum over
+  /// the pairs depends on the motion of their points.
   bool unbroken = false;
 };
 
@@ -75,7 +75,7 @@ using UseMotion = std::function<void(const PointMotion&)>;
 /// Calls `use` for so many points that do not move.
 void use_no_motion(Index points, const UseMotion& use);
 
-/// Finds the integration points of a primary surface and what they are paired with on a secondary one.
+/// Finds the integration points of a primary surface and their opposite points on a secondary one.
 class PointFinder {
  public:
   PointFinder() = default;
@@ -113,12 +113,12 @@ class PointFinder {
   virtual std::size_t memory() const = 0;
 };
 
-/// The finder that the settings ask for. Keeps references to the facets.
+/// The finder by the settings. Keeps references to the facets.
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 
-/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. Its weight
-/// is that of the rule times the share that the facets have for each other (facing_share.h).
+/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. The weight
+/// of a point is that of the rule times the share of both facets (facing_share.h).
 ///
 /// The load of a point ends where it passes the edge of the other surface: it is a jump, and where a whole contact
 /// hangs on one point there may be no equilibrium on either side of it. A point that loses its projection on the
@@ -151,8 +151,8 @@ class GaussPoints : public PointFinder {
   static constexpr int most_losses = 2;
   /// The secondary facets that a point was paired with, or unpaired.
   struct ProjectionHistory {
-    int facet = unpaired;         ///< what the last search() found
-    int at_iteration = unpaired;  ///< its pair as the iteration began
+    int facet = unpaired;         ///< result of the last search()
+    int at_iteration = unpaired;  ///< pair at the start of the iteration
     int last = unpaired;          ///< the last pair as an iteration of the step began
     int losses = 0;               ///< how often the projection was lost since the iteration before
 
@@ -176,7 +176,7 @@ class GaussPoints : public PointFinder {
   double tolerance_;
   SelfContact self_;
   Visibility visibility_;
-  bool has_shares_ = false;  ///< whether any pair that was found last counts in part
+  bool has_shares_ = false;  ///< whether a pair of the last search counts in part
   IndexedVector<Point> points_;
   IndexedVector<ProjectionHistory> histories_;  ///< per point
   MovingSurface moving_;                        ///< the secondary surface

@@ -80,7 +80,7 @@ struct SurfaceHit {
   int facet;
   Vector2d eta;
   double gap;
-  double outside = 0;  ///< how far beyond the facet's edge it lies [length]
+  double outside = 0;  ///< distance beyond the facet's edge [length]
 };
 
 /// Whether a hit counts.
@@ -107,8 +107,8 @@ std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const 
 
 /// The facets that a ray of an earlier configuration could meet.
 struct RayNeighbours {
-  std::array<Vector3d, 2> ends;  ///< of the ray as it was looked up
-  int reference = -1;            ///< reference configuration of the surface that it was looked up in; -1: none yet
+  std::array<Vector3d, 2> ends;  ///< of the ray at its last search
+  int reference = -1;            ///< reference configuration of the surface in the last search; -1: none yet
   std::vector<int> facets;       ///< ascending
 };
 

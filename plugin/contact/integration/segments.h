@@ -68,7 +68,7 @@ class Segments : public PointFinder {
   bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2,
                 const IndexedVector<Circle>& circles) const;
   int order(const Facing& facing) const;
-  /// Whether the rule for a pair is exact: both facets are flat, and what is integrated is of the second degree.
+  /// Whether the rule for a pair is exact: both facets are flat, and the integrand is of the second degree.
   bool is_exact(const FacetPair& pair) const;
 
   const IndexedVector<Facet>& primary_;
@@ -77,8 +77,8 @@ class Segments : public PointFinder {
   SelfContact self_;
   EdgeNeighbours neighbours_;
   Visibility visibility_;
-  std::vector<Facing> paired_;        ///< what the last search() found, ascending
-  std::vector<Facing> at_iteration_;  ///< the same as the iteration began
+  std::vector<Facing> paired_;        ///< result of the last search(), ascending
+  std::vector<Facing> at_iteration_;  ///< result at the start of the iteration
   std::map<Facing, int> losses_;      ///< how often pairs were lost since the iteration before
 };
 

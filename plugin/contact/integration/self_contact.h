@@ -23,7 +23,7 @@ class SelfContact {
   bool is_active() const { return neighbours_.count() > 0; }
   /// Whether a primary facet never sees a secondary one.
   bool excludes(int primary, int secondary) const;
-  /// Leaves the facets that a primary one may see.
+  /// Keeps the facets that a primary one may face.
   void keep_visible(int primary, std::vector<int>& secondary) const;
   /// The largest overlap that counts at a primary facet [mm].
   double largest_overlap(int primary) const;
@@ -35,7 +35,7 @@ class SelfContact {
   VectorXd largest_overlap_;                    ///< per primary facet
 };
 
-/// The largest overlap that counts at each node of a surface [mm]: the smallest of the facets around it. Empty where
+/// The largest overlap that counts at each node of a surface [mm]: the smallest of the facets around it. Empty if
 /// the surface does not meet itself.
 VectorXd largest_overlaps_of_nodes(const SurfaceMesh& mesh);
 

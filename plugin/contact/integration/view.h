@@ -1,5 +1,5 @@
-/// Seeing facets along a direction: where their nodes appear in the plane across it, and how what depends on that
-/// varies with the nodes.
+/// The view of facets along a direction: positions of their nodes in the plane across it, and variations with the
+/// nodes.
 #pragma once
 
 #include "geometry/kinematics.h"
@@ -34,7 +34,7 @@ class SeenVariation {
  public:
   explicit SeenVariation(Index nodes) : by_node_(Eigen::Matrix<double, R, Eigen::Dynamic>::Zero(R, 2 * nodes)) {}
 
-  /// Adds what the numbers vary with the place of a node.
+  /// Adds the variation of the numbers with the position of a node.
   void add(Index node, double height, const Eigen::Matrix<double, R, 2>& by_place) {
     by_node_.template middleCols<2>(2 * node) += by_place;
     by_tilt_ -= height * by_place;

@@ -1,4 +1,4 @@
-/// Bodies hide what lies behind them.
+/// Bodies hide the surfaces behind them.
 #pragma once
 
 #include "integration/search.h"
@@ -23,14 +23,14 @@ class Visibility {
 
   /// Bodies that hide nothing.
   Visibility() = default;
-  /// Keeps references. A body that may meet itself hides nothing here: SelfContact has what it does not see.
+  /// Keeps references. A body that may meet itself hides nothing here: SelfContact excludes its own facets.
   Visibility(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
   /// Sets the present configuration.
   void move_to(const Matrix3Xd& x1, const Matrix3Xd& x2);
 
-  /// Whether a point of the primary surface does not see what lies at a gap from it along its normal on a facet of the
-  /// secondary surface. `own`: the facet of the point, or `node`.
+  /// Whether a body hides a point on a facet of the secondary surface from a point of the primary one, given the gap
+  /// along the normal. `own`: the facet of the point, or `node`.
   bool is_hidden(const Vector3d& point, const Vector3d& normal, double gap, int own, int other) const;
 
   std::size_t memory() const;
@@ -58,7 +58,7 @@ class Visibility {
   /// Thickness of the element behind a facet [mm]; 0 where it is not known.
   static double element_thickness(const Screen& screen, int facet);
 
-  std::vector<Screen> screens_;  ///< of the primary and of the secondary surface; empty where nothing is hidden
+  std::vector<Screen> screens_;  ///< of the primary and of the secondary surface; empty if nothing is hidden
 };
 
 }  // namespace mixture_contact

@@ -15,10 +15,10 @@ struct NumberedState {
   ContactInterface::State state;
 };
 
-/// The state that a contact with other nodes goes on with. Nodes that were there before keep their multipliers and
-/// loads, and the positions that their slips are measured from; others have what `fresh`, a contact that has just been
-/// made for the new nodes, begins with, and slips from their present `position`. Penetration-check nodes and load
-/// carriers are found again. Nothing is kept if both exchange other fields.
+/// The state of a contact after a change of its nodes. Old nodes keep their multipliers, loads and reference positions
+/// of slips. New nodes have the initial state of `fresh`, a new contact of these nodes, and slips from their present
+/// `position`. Penetration-check nodes and load carriers are found again. Nothing is kept if both exchange other
+/// fields.
 ContactInterface::State carried_over(const NumberedState& before, NumberedState fresh,
                                      const PerSide<Matrix3Xd>& position);
 

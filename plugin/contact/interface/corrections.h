@@ -5,16 +5,16 @@
 
 namespace mixture_contact {
 
-/// Whether the linearisation of the last matrix serves the next iteration, too, once it is corrected (see
-/// HeldLinearisation::serves()); where none can be corrected, whether the state is a solution.
+/// Whether the next iteration can use the corrected linearisation of the last matrix (see HeldLinearisation::serves());
+/// if none can be corrected, whether the state is a solution.
 bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 /// Begins an iteration with the linearisation of the last one (see HeldLinearisation::correct()). Returns whether loads
 /// change.
 bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
-/// Adds what the loads that have changed as the iteration began make of the residual (see
-/// HeldLinearisation::residual_change()). Returns whether that is known.
+/// Adds the residual of the change of the loads at the start of the iteration (see
+/// HeldLinearisation::residual_change()). Returns whether it is known.
 bool residual_change(const ContactInterface& contact, const PerSide<SurfaceFields>& fields, double dt,
                      const ContactInterface::AddResidual& add);
 
@@ -29,7 +29,7 @@ bool may_decide(const ContactInterface& contact);
 /// HeldLinearisation::find_nearing()). Returns those that were not linearised.
 PerSide<NodeFlags> find_nearing_nodes(ContactInterface& contact, const PerSide<Matrix3Xd>& displacements,
                                       const PerSide<SurfaceFields>& fields);
-/// Nodes out of contact that are linearised, and not in the matrix (see HeldLinearisation::nearing()).
+/// Open nodes that are linearised but not in the matrix (see HeldLinearisation::nearing()).
 PerSide<NodeFlags> nearing_nodes(const ContactInterface& contact);
 /// Calls `add` with the tangents of the loads of nearing_nodes(), should these close.
 void nearing_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
@@ -43,14 +43,14 @@ PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<
 /// Begins an iteration with these nodes open, of those whose status is predicted (see HeldLinearisation::open()).
 void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields);
 
-/// A node whose load the matrix has and the status has not.
+/// A node whose load is in the matrix and not in the status.
 struct ReleasedNode {
   Side side;
   int node;
 };
 std::vector<ReleasedNode> released_nodes(const ContactInterface& contact);
 
-/// Calls `add` with the tangents of loads that the status has and the matrix has not.
+/// Calls `add` with the tangents of loads of the status that the matrix lacks.
 void added_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
 
 }  // namespace mixture_contact

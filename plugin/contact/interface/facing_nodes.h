@@ -1,4 +1,4 @@
-/// The points that the nodes of the surface that a pass does not integrate over face.
+/// The points opposite the nodes of a pass's other surface.
 #pragma once
 
 #include "interface/pass.h"
@@ -16,16 +16,16 @@ struct SidedPass {
   bool has_reconsidered = false;     ///< since then, too
 };
 
-/// A node of the surface that a pass does not integrate over.
+/// The point opposite a node of a pass's other surface.
 struct FacingNode {
   int facet = -1;  ///< of the surface integrated over; -1: none
   double gap = 0;  ///< along the node's own normal [mm]
   bool in_contact = false;
 };
 
-/// As the settings say. If they leave it open: behind, where bodies overlap, as far as half the smaller surface is
-/// large, since bodies hide what lies behind them; ahead by a quarter of a facet, more where they tilt, or as far as
-/// behind with tension and where a body meets itself. Surfaces that meet within a step find each other once they
+/// The search radius of the settings. Its default behind the facet, for overlapping bodies, is half the size of the
+/// smaller surface, because bodies hide the surfaces behind them. Ahead it is a quarter of a facet, and more for tilted
+/// facets; with tension and self-contact, it is that behind. Surfaces that meet within a step find each other once they
 /// overlap.
 Reach reach_of(const Settings& settings, const FacingPositions& x);
 
@@ -42,13 +42,13 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 
 /// Nodes that face contact in an iteration that begins, where `facing` do. Nodes that change too often are at the edge
-/// of contact, as ActiveSet has it; no load decides here whether they are.
+/// of contact, as in ActiveSet; loads play no part here.
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
 /// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);
 
-/// Whether nodes that are held for how often they have changed should face contact or not otherwise, as `facing` do at
-/// a solution: they are tried once more. All changes are forgotten, once at most from where iterations begin.
+/// Whether nodes held after too many changes should have another status by `facing` at a solution. They are tried once
+/// more. Resets all counts, at most once after the start of iterations.
 bool reconsiders_facing(SidedPass& pass, const NodeFlags& facing);
 
 /// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.

@@ -5,7 +5,7 @@
 
 namespace mixture_contact {
 
-/// Decides at a state, after project(), what a residual needs and no tangent (see ContactPass::hold_loads).
+/// Decides status and loads at a state for a residual without tangent, after project() (see ContactPass::hold_loads).
 void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

@@ -1,4 +1,4 @@
-/// A contact between two surfaces: what a host talks to.
+/// A contact between two surfaces, the class that hosts use.
 #pragma once
 
 #include "enforcement/augmentation.h"
@@ -8,8 +8,8 @@
 namespace mixture_contact {
 
 /// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
-/// check_penetration() the nodes that a second pass is limited to. Functions of these are outside of the class:
-/// balances and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
+/// check_penetration() the nodes that a second pass is limited to. Functions of contacts outside of the class: balances
+/// and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
 class ContactInterface {
  public:
   /// The location of a local residual or tangent.
@@ -44,12 +44,12 @@ class ContactInterface {
   void exchange_traction(bool traction);
 
   /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called at its
-  /// positions. Returns whether the loads at this state differ from those before the call, so that a residual is to be
-  /// evaluated again.
+  /// positions. Returns whether the loads at this state differ from those before the call, so that the residual has to
+  /// be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Moves what an iteration holds to another state (see ContactPass::linearise_at), after project().
+  /// Moves the linearisation of an iteration to another state (see ContactPass::linearise_at), after project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
-  /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
+  /// Drops the linearisation of begin_iteration(): the laws act on the true gaps and jumps again.
   void end_iterations();
   /// Whether a state found in iterations is a solution of the true laws.
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
@@ -59,22 +59,22 @@ class ContactInterface {
   friend void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// Loads at nodes come as load blocks where `add_load` is given and the pass has them, else as blocks.
-  /// `add_rows`, where given, takes the change of the geometry by nodes where it is held, times a factor and without
-  /// weak couplings (see geometric_rows.h).
+  /// Loads at nodes are load blocks if `add_load` is given and the pass has them, and blocks otherwise. `add_rows`, if
+  /// given, takes the held change of the geometry by nodes, times a factor and without weak couplings (see
+  /// geometric_rows.h).
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
                const AddLoadTangent& add_load = {}, const AddRows& add_rows = {}) const;
   /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`, and
   /// those of rows by way of `use_rows`.
   void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}, const UseRows& use_rows = {}) const;
 
-  /// Takes a state over as that which the next step begins with: its tractions, which nodes are flux-coupled, and with
-  /// friction the positions that slips are measured from; then iterations end with it, too.
+  /// Accepts a state as the start of the next step: its tractions, flux-coupled nodes, and with friction the reference
+  /// positions of slips. Iterations end with it.
   void accept_step(const PerSide<SurfaceFields>& fields);
-  /// Forgets accepted steps: loads begin, and the surfaces begin to slide, where the next projection finds them.
+  /// Drops accepted steps: loads and slips begin at the positions of the next projection.
   void forget_steps();
 
-  /// Gaps at the current state, the worst of both passes; meets() decides whether they meet the tolerances.
+  /// Gaps at the current state, the larger ones of both passes; meets() compares them with the tolerances.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
 
   /// One augmentation: multipliers take the current loads, and slow fields a larger penalty. Returns whether any
@@ -90,8 +90,8 @@ class ContactInterface {
 
   /// Looks, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes that
   /// face the same primary facets become penetration-check nodes, those of a second pass in which no others can close,
-  /// and remain so: open they carry no load. is_solution() decides whether that changes the loads. Returns what is
-  /// detected for the first time.
+  /// and remain so: open ones bear no load. is_solution() decides whether this changes the loads. Returns the
+  /// penetration detected for the first time.
   ///
   /// Nothing with two passes or self-contact, where secondary nodes have laws of their own already, and without
   /// traction: surfaces that cannot move stay as the user placed them. Penetration-check nodes keep default penalties
@@ -116,7 +116,7 @@ class ContactInterface {
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   ContactPass& pass(std::size_t index) { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
-  /// Time of the work of a host for a contact counts, too: it is const.
+  /// Times of the contact, to which const hosts add their own work.
   Measurements& measurements() const { return measurements_; }
 
   /// All that is kept between time steps, to be stored and restored by the host.
@@ -127,7 +127,7 @@ class ContactInterface {
     std::vector<LoadCarriers> carriers;    ///< per pass, on which those of the next step depend
   };
   State state() const;
-  /// Iterations end with it. Throws std::invalid_argument, and changes nothing, where the state is not one of this
+  /// Iterations end with it. Throws std::invalid_argument, and changes nothing, if the state is not one of this
   /// contact.
   void restore(State state);
 
@@ -148,12 +148,12 @@ class ContactInterface {
 
 bool faces_as_held(const ContactInterface& contact);
 
-/// Whether a solution has nodes at the edge of contact that have to be tried once more (ActiveSet::reconsiders_edge(),
-/// reconsiders_facing()): it is none then.
+/// Whether a state has edge nodes that have to be tried once more (ActiveSet::reconsiders_edge(),
+/// reconsiders_facing()); it is no solution then.
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
-/// Has something else join nodes of the surfaces, or leave them: joined nodes do not close, and no ambient reaches
-/// them. Iterations end with it. The others find the points that they face with the next project().
+/// Marks nodes of the surfaces as joined by another interaction, or frees them: joined nodes do not close, and have no
+/// ambient values. Iterations end with it. The next project() finds the opposite points of the others.
 void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 }  // namespace mixture_contact

@@ -8,7 +8,7 @@ namespace mixture_contact {
 /// The memory that a contact keeps.
 struct Memory {
   std::size_t points = 0;  ///< integration points that see the other surface
-  std::size_t bytes = 0;   ///< for them, their facets and nodes, between calls
+  std::size_t bytes = 0;   ///< for the points, their facets and nodes, between calls
 };
 
 struct Measurements {
@@ -17,7 +17,7 @@ struct Measurements {
 
   explicit Measurements(Index fields) : timings(fields) {}
 
-  /// Times a task. A host does the same around its calls; what a contact times within is not counted twice.
+  /// Times a task. A host also times its calls; times of a contact within them do not count twice.
   TaskClock clock(Task task) { return TaskClock(timings[task]); }
   void note(const Memory& now) {
     if (now.bytes >= memory.bytes) memory = now;

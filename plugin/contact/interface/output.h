@@ -8,12 +8,12 @@ namespace mixture_contact {
 /// Energies of a tie, of both sides together.
 struct BondEnergy {
   double dissipated = 0;   ///< by damage, since the tie began [mJ]
-  double viscous = 0;      ///< dissipated by viscosity, since the tie began [mJ]
+  double viscous = 0;      ///< dissipated by viscosity since the start of the tie [mJ]
   double stored = 0;       ///< in bonds [mJ]
   double broken_area = 0;  ///< [mm^2]
 };
 
-/// The loads and flows across the interface, as they act on the primary surface; the secondary one gets the opposite.
+/// The loads and flows across the interface that act on the primary surface; those on the secondary one are opposite.
 struct Balance {
   Vector3d force{0, 0, 0};     ///< contact force on the primary surface [N]
   double area = 0;             ///< area in contact [mm^2]
@@ -39,7 +39,7 @@ inline Sliding status_of(const FrictionOutput& friction, Index node) {
   return node < friction.status.size() ? static_cast<Sliding>(static_cast<int>(friction.status[node])) : Sliding::open;
 }
 
-/// The state of the bonds at the nodes of a surface; empty where they cannot break.
+/// The state of the bonds at the nodes of a surface; empty if they cannot break.
 struct BreakingOutput {
   VectorXd damage;     ///< [-]
   VectorXd opening;    ///< distance of the tied points [mm]
@@ -67,7 +67,7 @@ struct NodalOutput {
   }
 };
 
-/// All of it, at a state that is projected.
+/// All output at a projected state.
 struct InterfaceOutput {
   Balance balance;
   PerSide<NodalOutput> nodes;

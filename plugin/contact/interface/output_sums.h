@@ -37,7 +37,7 @@ class OutputRows {
   bool has_friction_;
 };
 
-/// The friction at a pass's nodes, as it is interpolated between them; empty without friction.
+/// The friction at a pass's nodes, for interpolation between them; empty without friction.
 struct SlidingNodes {
   Matrix3Xd slip;  ///< in the present tangent plane
   VectorXd bound;

@@ -8,8 +8,8 @@
 namespace mixture_contact {
 
 /// The integral over one surface: owner of its points, laws, active set, enforcement and geometry. Evaluations are
-/// const; projections replace the pairs of facets, begin_iteration() and its relatives what an iteration holds, and
-/// augment() the multipliers.
+/// const; projections replace the pairs of facets, begin_iteration() and its relatives the linearisation, and augment()
+/// the multipliers.
 class ContactPass {
  public:
   /// Keeps references.
@@ -34,8 +34,8 @@ class ContactPass {
   /// true laws, and holds the loads of this state, without their linearisation, for residuals at it.
   void hold_loads(const FacingFields& fields) { geometry_->hold_loads(fields); }
 
-  /// Restricts the active set: only these nodes may close, all of whose facets then take part, and no others. Takes
-  /// effect with the next project().
+  /// Restricts the active set to these nodes and all of their facets: no others may close. Takes effect with the next
+  /// project().
   void restrict_active_set(const NodeFlags& nodes);
 
   /// The evaluation of the integral: for hosts that keep their matrix (corrections.h), and start_inactive(),
@@ -49,27 +49,27 @@ class ContactPass {
 
   /// Uzawa's update: the loads of an equilibrium become the multipliers, lambda <- t_n, w_n, j_n; nodes out of contact
   /// get zero, and multipliers of tractions that are not exchanged stay. The next begin_iteration() takes them for the
-  /// geometric part of the tangent, since what the laws say until the gaps are closed, lambda + eps g, is up to twice
-  /// the load in equilibrium.
+  /// geometric part of the tangent, because the load by the laws, lambda + eps g, is up to twice that in equilibrium
+  /// until the gaps close.
   void augment(const FacingFields& fields);
 
-  /// Gaps are measured from this distance of the surfaces from now on [mm].
+  /// Sets the distance of the surfaces from which gaps are measured [mm].
   void measure_gaps_from(double offset) { space_.measure_gaps_from(offset); }
 
-  /// Slips are measured from these positions from now on.
+  /// Sets the reference positions of slips.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
-  /// Takes an accepted state over as that which the next step begins with: its loads, which nodes are flux-coupled, and
-  /// its positions as those that slips are measured from.
+  /// Accepts a state as the start of the next step: its loads, flux-coupled nodes, and positions as the reference of
+  /// slips.
   void accept_step(const FacingFields& fields);
 
-  /// Forgets what begin_iteration() holds: the laws act on the true gaps and jumps again.
+  /// Drops the linearisation of begin_iteration(): the laws act on the true gaps and jumps again.
   void end_iterations() { geometry_->end_iterations(); }
 
-  /// Continues from decisions on which nodes carry load (see BoundaryWeights).
+  /// Continues from earlier decisions on the nodes that bear load (see BoundaryWeights).
   void restore_carriers(LoadCarriers decisions) { space_.boundary_weights().restore(std::move(decisions)); }
 
-  /// Forgets the configuration: to be called after the effects have changed, before the next project().
+  /// Drops the configuration. Call this after a change of the effects, before the next project().
   void forget();
 
   /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
@@ -86,7 +86,7 @@ class ContactPass {
   /// per node in contact the part of its laws, which couples all nodes that its averages are taken over.
   void tangent(const FacingFields& fields, double dt, const TangentParts& add) const;
 
-  /// The patches that tangent() would fill: what a matrix profile has to hold.
+  /// The patches that tangent() would fill, for a matrix profile.
   void for_each_coupling(const Couplings& use) const { geometry_->for_each_coupling(use); }
 
   /// Whether the tangents of nodes come as load blocks to those who take them.

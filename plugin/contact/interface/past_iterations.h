@@ -5,7 +5,7 @@
 
 namespace mixture_contact {
 
-/// Forgets it, so that iterations to come depend on the state alone: where they may be those of another run.
+/// Drops this data, so that later iterations depend on the state alone, for continued runs.
 void forget_past(ContactInterface& contact);
 
 }  // namespace mixture_contact

@@ -6,9 +6,9 @@
 namespace mixture_contact {
 
 /// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
-/// contact. The laws hold as averages around primary nodes: what is smaller than a primary facet may overlap it without
-/// any load, unless a second pass resolves it. The average reaches that far next to facets in contact: an overlap there
-/// is the error of the edge of contact, which no second law mends.
+/// contact. The laws hold for averages around primary nodes: a feature smaller than a primary facet may overlap it
+/// without any load, unless a second pass resolves it. The averages cover facets next to contact: an overlap there is
+/// the error of the edge of contact, which no second pass reduces.
 struct UndetectedPenetration {
   int nodes = 0;     ///< how many lie deeper than penetration_tolerance
   double depth = 0;  ///< of the deepest [mm]
@@ -32,11 +32,11 @@ UndetectedPenetration overlap_among(const IndexedVector<FacingNode>& nodes, cons
 NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
                        Index primary_facets);
 
-/// The pass that is restricted to penetration-check nodes, and what it leaves.
+/// The pass that is restricted to penetration-check nodes, and the remaining overlap.
 struct PenetrationCheck {
   Settings settings;                 ///< of the pass
   NodeFlags nodes;                   ///< secondary nodes that it is restricted to
-  UndetectedPenetration undetected;  ///< what the last check left without load
+  UndetectedPenetration undetected;  ///< overlap without load after the last check
 };
 
 /// Settings of the pass that is restricted to penetration-check nodes: those of the first one, without unknown

@@ -1,4 +1,4 @@
-/// Moving the nodes of a mesh whose surfaces overlap before anything has happened.
+/// Relocation of the nodes of a mesh whose surfaces overlap before the first step.
 #pragma once
 
 #include "interface/interface.h"

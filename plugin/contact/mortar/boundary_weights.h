@@ -32,7 +32,7 @@ class BoundaryWeights {
   /// over all of it.
   void decide(int facet, const FacetGapSums& covered, const FacetVector& all);
 
-  /// The last decisions, which those to come depend on; empty where there are none.
+  /// The last decisions, which those to come depend on; empty if there are none.
   const LoadCarriers& last_decisions() const { return carriers_.empty() ? settled_ : carriers_; }
   /// Continues from those.
   void restore(LoadCarriers decisions);

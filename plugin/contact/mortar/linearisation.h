@@ -1,12 +1,12 @@
-/// First variations of nodal averages, and the state that an iteration takes them at.
+/// First variations of nodal averages, and their state in an iteration.
 #pragma once
 
 #include "mortar/mortar_space.h"
 
 namespace mixture_contact {
 
-/// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it.
-/// Every node has one if multipliers are unknowns, out of contact of its multipliers alone.
+/// First variations of a node's averages and the virtual work of its loads, as local vectors of the patch around it. If
+/// multipliers are unknowns, every node has one; an open node has that of its multipliers alone.
 struct NodeLinearisation {
   /// First variation of the jump of one field. The virtual work of its flux is `weights` times the node's flux_area.
   struct Jump {
@@ -25,10 +25,10 @@ struct NodeLinearisation {
     VectorXd pressure_variation;  ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
     VectorXd pressure_weights;    ///< with the values of p~, one per node of the patch; empty without fluid
 
-    /// Nodes of the patch, from its first, that turn the mean normal or change the node's area: all where points move
-    /// over their facets, else the primary ones. The others change the slip alone.
+    /// Number of first nodes of the patch that turn the mean normal or change the node's area: all if points move over
+    /// their facets, else the primary ones. Other nodes change the slip alone.
     Index turning = 0;
-    int pressure_field = 0;  ///< as Effects has it
+    int pressure_field = 0;  ///< index by Effects
 
     bool empty() const { return work.size() == 0; }
     bool has_fluid() const { return pressure_weights.size() > 0; }
@@ -50,10 +50,11 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
 /// the part of the displacements.
 double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fields);
 
-/// How F_a of a node varies with displacements given in the order of gap_variation.
+/// The variation of F_a of a node by displacements in the order of gap_variation.
 Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved);
 
-/// The point at which an iteration linearises: within it and its line search averages are linear in the unknowns.
+/// The point at which an iteration linearises: averages are linear in the unknowns within the iteration and its line
+/// search.
 struct LinearisationPoint {
   SurfaceFields primary;  ///< the state
   SurfaceFields secondary;
@@ -65,9 +66,9 @@ struct LinearisationPoint {
   VectorXd equation_weights;               ///< of the equations of unknown multipliers
 
   bool is_linearised() const { return !nodes.empty(); }
-  /// Whether fields are those of the point, which predicts no change then.
+  /// Whether fields equal those of the point, so that the predicted change is zero.
   bool is_at(const FacingFields& fields) const;
-  /// Its averages, with status and loads of the point, as they vary to another state.
+  /// The linearised averages at another state, with status and loads of the point.
   NodalLoads predicted_averages(const FacingFields& fields) const;
   std::size_t memory() const;
 };

@@ -1,4 +1,4 @@
-/// Integration points with the loads that are interpolated from the nodes around them.
+/// Integration points with loads interpolated from the nodes around them.
 #pragma once
 
 #include "mortar/mortar_space.h"
@@ -11,18 +11,19 @@
 
 namespace mixture_contact {
 
-/// Everything at one integration point that carries load.
+/// An integration point that bears load, with its kinematics and loads.
 struct PointContact {
   /// A point of a pair without its loads; refers to both.
   PointContact(const FacetPair& of, const PointKinematics& at) : pair(&of), kinematics(at) {}
 
   const FacetPair* pair;
   const PointKinematics& kinematics;
-  FacetVector psi;             ///< psi_a here
+  FacetVector psi;             ///< psi_a at the point
   FacetGradient psi_gradient;  ///< psi_a,alpha
-  IndexedVector<int> fields;   ///< exchanged scalar fields here, as indices into Effects' order
-  PairFields values;           ///< their nodal values
-  PointLoads loads;  ///< interpolated from the nodes; derivatives are 0 since they belong to the nodes' averages
+  IndexedVector<int> fields;   ///< exchanged scalar fields at the point, as indices by Effects
+  PairFields values;           ///< nodal values of these fields
+  PointLoads loads;  ///< interpolated from the nodes; derivatives are 0, because those of the nodes' averages are added
+                     ///< separately
 };
 
 /// A point with the first variations of its kinematics.
@@ -48,7 +49,7 @@ struct FacetLoads {
 };
 FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const IndexedVector<int>& fields);
 
-/// The loads where the functions psi_a of a facet have these values; without weight and slopes.
+/// The loads for these values of the functions psi_a of a facet; without weight and slopes.
 PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi);
 
 /// A flat pair with its variations and loads.
@@ -71,7 +72,7 @@ VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const 
 void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                       const FacingFields& fields, double dt, VaryingPair& varying);
 
-/// Calls `use` for every point of a pair that carries load and is not flat, in their order.
+/// Calls `use` for every point, in order, of a pair that bears load and is not flat.
 void for_each_loaded_point(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                            const FacingFields& fields, double dt, const std::function<void(const PointContact&)>& use);
 

@@ -13,22 +13,22 @@ namespace mixture_contact {
 
 class MortarSpace {
  public:
-  /// Keeps references to the surfaces and what they exchange.
+  /// Keeps references to the surfaces and their effects.
   MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  /// The pairs, to be changed: all that depends on them is computed again.
+  /// The pairs, for changes: all dependent quantities are computed again.
   FacingPairs& change_facing() {
     gaps_.reset();
     return facing_;
   }
   const FacingPairs& facing() const { return facing_; }
-  /// Begins an iteration of the pairs. Returns whether more were found.
+  /// Begins an iteration of the pairs. Returns whether their number has grown.
   bool begin_iteration(const FacingPositions& x);
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 
-  /// Decides for facets that face the other surface, and of which that is not decided, which of their nodes carry load.
+  /// Decides which nodes bear load, for new facets that face the other surface.
   void update_boundary_weights(const FacingPositions& x);
   BoundaryWeights& boundary_weights() {
     gaps_.reset();
@@ -43,10 +43,10 @@ class MortarSpace {
   /// A flat pair with these functions; empty of any other (see FacingPairs::flat).
   std::optional<FlatPair> flat(const FacetPair& pair) const;
 
-  /// Slips are measured from these positions, of an accepted state.
+  /// Sets the reference positions of slips, those of an accepted state.
   void measure_slips_from(const FacingPositions& past);
   FacingPositions past() const { return seen_from(Side::primary, past_); }
-  /// Convections of the nodes of a primary facet, from where the surfaces lay when the step began.
+  /// Convections of the nodes of a primary facet, from the positions at the start of the step.
   const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
@@ -66,14 +66,14 @@ class MortarSpace {
   Patch node_patch(Index node, const PairsAround& pairs) const;
   /// The unknowns that the rows of one field of a patch depend on.
   Patch columns_of(const Patch& patch, int field) const;
-  /// Whether the symmetric part of the tangent is wanted.
+  /// Whether the settings require the symmetric part of the tangent.
   bool symmetric() const { return symmetric_; }
   /// Distance of the surfaces from which gaps are measured [mm].
   double offset() const { return offset_; }
-  /// Measures gaps from another distance from now on [mm].
+  /// Sets the distance of the surfaces from which gaps are measured [mm].
   void measure_gaps_from(double offset);
 
-  /// The time that linearising and tangents spend on single effects; whoever times them takes it.
+  /// The time that linearising and tangents spend on single effects; the clock of the task takes it over.
   EffectTimings& effect_times() const { return effect_times_; }
   std::size_t memory() const;
   /// Integrals over a pair of facets that gaps are averaged from.
@@ -92,12 +92,12 @@ class MortarSpace {
   double offset_;
   const FrictionRule& friction_;
   IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node, where there is friction
-  PerSide<Matrix3Xd> past_;             ///< primary and secondary positions as the step began, where there is friction
-  mutable EffectTimings effect_times_;  ///< a measurement, which no result depends on
-  mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, once they are needed
+  PerSide<Matrix3Xd> past_;  ///< primary and secondary positions at the start of the step; empty without friction
+  mutable EffectTimings effect_times_;     ///< a measurement, which no result depends on
+  mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, computed on demand
 };
 
-/// Values of the exchanged fields at the primary nodes, as NodalLoads::own has them.
+/// Values of the exchanged fields at the primary nodes, in the order of NodalLoads::own.
 inline MatrixXd own_values(const FacingFields& fields, const Effects& effects) {
   return fields.primary.scalar.leftCols(effects.scalar_fields()).transpose();
 }

@@ -29,7 +29,7 @@ PastFacets past_facets(const MortarSpace& space, const FacetPair& pair);
 /// The fluid pressure that bears a part of the load, as it acts on the nodes of one facet of a pair.
 struct BearingPressure {
   Index first = 0;    ///< where the nodes of its facet begin in the pair
-  FacetVector value;  ///< nodal values of p~ - p*; empty where no fluid bears load
+  FacetVector value;  ///< nodal values of p~ - p*; empty if no fluid bears load
 
   bool empty() const { return value.size() == 0; }
 };

@@ -1,4 +1,4 @@
-/// Linearising averages, and what else is made of the same pairs.
+/// Linearisation of averages and of further quantities of the same pairs.
 #pragma once
 
 #include "mortar/linearisation.h"

@@ -14,8 +14,8 @@ inline constexpr int enough_contractions = 2;
 inline constexpr double contraction = 0.9;
 
 /// Counts the changes of bonds between constant damage, growing damage and failure. Once one goes to and fro, those
-/// whose damage grows yield until iterations contract: where softening outweighs what is around it, as when a crack
-/// jumps, Newton's method leads up and down for ever, and yielding bonds lead to a state beyond the jump.
+/// whose damage grows yield until iterations contract: if softening exceeds the stiffness of the bodies, as when a
+/// crack jumps, Newton's method alternates for ever, and yielding bonds lead to a state beyond the jump.
 class BondIterations {
  public:
   /// Begins an iteration at a state whose tangent is taken next. Nothing happens to bonds that do not soften.
@@ -31,7 +31,7 @@ class BondIterations {
   IndexedVector<Phase> phases_;  ///< per tied node where the last iteration began; empty: none has
   IndexedVector<int> changes_;   ///< of phase, per tied node
   Matrix3Xd gaps_;               ///< gap vectors where the last iteration began [mm]
-  double move_ = 0;              ///< what the iteration before changed them by [mm]
+  double move_ = 0;              ///< change of the gap vectors by the iteration before [mm]
   int contractions_ = 0;         ///< in a row, without a change of phase
   Softening softening_ = Softening::exact;
 };

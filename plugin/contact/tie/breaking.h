@@ -1,4 +1,4 @@
-/// How a tie breaks, a type for each way, and what its nodes have come to.
+/// The ways in which a tie breaks, with a type for each, and the damage of its nodes.
 #pragma once
 
 #include "conditions/cohesive.h"

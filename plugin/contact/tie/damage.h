@@ -1,4 +1,4 @@
-/// Damage of a tie at a solution, and which nodes it leaves joined.
+/// Damage of a tie at a solution, and its remaining joined nodes.
 #pragma once
 
 #include "tie/tie.h"
@@ -9,11 +9,11 @@ namespace mixture_contact {
 /// cohesive ones have softened. The stored energy of a bond that breaks at once counts as dissipated.
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time);
 
-/// Has a tie take damage over. Nodes that have broken lose their multipliers; the equation of an unknown one takes it
-/// to zero.
+/// Sets the damage of a tie. Broken nodes lose their multipliers; the equation of an unknown multiplier sets it to
+/// zero.
 void take_damage(Tie& tie, DamageState damage);
 
-/// How many nodes have broken.
+/// Number of broken nodes.
 Index broken_nodes(const Tie& tie);
 
 /// Nodes of both surfaces that are not free to part: all but the primary nodes that have broken, and the secondary ones

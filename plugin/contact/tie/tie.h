@@ -1,4 +1,4 @@
-/// The tie of two surfaces: loads at tied nodes, residual and tangent, and what multipliers take up.
+/// The tie of two surfaces: loads at tied nodes, residual, tangent and augmentation.
 #pragma once
 
 #include "conditions/penalty.h"
@@ -11,7 +11,7 @@
 
 namespace mixture_contact {
 
-/// Multipliers of the tied nodes, and what augmentations have multiplied penalties by.
+/// Multipliers of the tied nodes, and factors of augmentations on penalties.
 struct TieState {
   Matrix3Xd traction;  ///< lambda_a per tied node [MPa]
   MatrixXd flux;       ///< lambda per (field, tied node)
@@ -31,7 +31,7 @@ struct TieLoads {
 };
 
 /// Default multiples of the stiffness and the conductance of the adjoining elements. No kink of a tie asks for smaller
-/// ones: gaps and jumps are far below what a mesh resolves, and rounding in a linear solver is not yet as large.
+/// ones: gaps and jumps are far below the error of a mesh and still above the rounding of a linear solver.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
 /// The default of a tie that softens, after Turon, Davila, Camanho and Costa (2007), Eng Fract Mech 74:1665-1682. A

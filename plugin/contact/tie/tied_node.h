@@ -51,8 +51,8 @@ struct UntiedNodes {
   int count() const { return facing_nothing + too_far; }
 };
 
-/// Finds the nodes that are tied, and over what. Weights and areas are those of the sliding contact's averages, at
-/// these positions. Gaps that are rounding of the positions count as none.
+/// Finds the tied nodes and the weights of their averages. Weights and areas are those of the sliding contact's
+/// averages, at these positions. Gaps that are rounding of the positions count as none.
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
                                         const Settings& settings, const PerSide<Matrix3Xd>& reference);
 

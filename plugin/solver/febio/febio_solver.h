@@ -16,7 +16,7 @@ class FEBioSolver : public Solver {
   explicit FEBioSolver(FEModel& fem);
   ~FEBioSolver() override;
 
-  /// Null where the present step is not solved by Newton's method.
+  /// Null if the present step is not solved by Newton's method.
   FENewtonSolver* febio() const;
 
   bool is_newton() const override { return febio() != nullptr; }
@@ -50,7 +50,7 @@ class FEBioSolver : public Solver {
  private:
   FEModel& fem_;
   std::unique_ptr<DumpMemStream> saved_;
-  bool forces_matrix_ = false;  ///< what the solver had planned when its state was saved
+  bool forces_matrix_ = false;  ///< the solver's plan when its state was saved
 };
 
 }  // namespace newton

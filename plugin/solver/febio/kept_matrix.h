@@ -1,5 +1,5 @@
-/// The matrix of FEBio's Newton methods, which those of quasi-Newton kind keep for several iterations, and what
-/// contacts change of its use.
+/// The matrix of FEBio's Newton methods, which quasi-Newton methods keep for several iterations, and its corrections by
+/// contacts.
 #pragma once
 
 #include "solver/border.h"
@@ -21,47 +21,48 @@ class KeptMatrix {
   /// Keeps a reference.
   explicit KeptMatrix(const FEBioSystem& system) : system_(system) {}
 
-  /// FEBio has formed another one, as it said. It is solved with these deferred parts.
+  /// FEBio has formed a new matrix, as announced. Solutions include these deferred parts.
   void formed(const MatrixParts& parts);
-  /// FEBio goes on after an iteration: the same of a matrix that it has formed silently, and of the one it has where
-  /// iterations begin with it and without updates.
+  /// FEBio continues after an iteration. Solutions include the deferred parts, with a matrix that FEBio has formed
+  /// silently, and with one that it keeps at the start of iterations without updates.
   void go_on(const MatrixParts& parts, bool begins);
-  /// The solution with these conditions and the present deferred parts; none where that is singular or
-  /// nothing is to be corrected with it.
+  /// The solution with these conditions and the present deferred parts; none if the system is singular or the matrix
+  /// allows no correction.
   std::optional<Answer> answer(const std::vector<Condition>& conditions);
-  /// FEBio's next solution is to meet these conditions and no others, and to be what it has answered: the right-hand
-  /// side has changed with the conditions.
+  /// Makes FEBio's next solution meet these conditions and no others: the right-hand side has changed with the
+  /// conditions.
   void hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer);
-  /// Whether contacts may add rows of it to others.
+  /// Whether contacts may add rows of the matrix to others.
   bool takes_operations() const { return !found_.loses_pivots; }
-  /// FEBio has formed one to which contacts have done this.
+  /// FEBio has formed a matrix to which contacts have applied these row operations.
   void take(RowOperations operations) { operations_ = std::move(operations); }
-  /// FEBio is about to solve: its right-hand side takes the same, until there is a trial.
+  /// FEBio is about to solve: its right-hand side takes the same row operations until a trial.
   void solve();
-  /// FEBio's right-hand side is its own again: it is about to change.
+  /// Restores FEBio's right-hand side, which is about to change.
   void give_back();
-  /// A trial has been made of FEBio's solution: FEBio's right-hand side is its own again.
+  /// FEBio has made a trial of its solution. Restores its right-hand side.
   void tried(const std::vector<double>& solution);
-  /// Whether parts have been too large to be deferred. They are to be in the matrix from now on.
+  /// Whether parts were too large to be deferred. The matrix must include them from now on.
   bool needs_parts() const { return found_.needs_parts; }
-  /// Whether another one is to be formed: where it has served as many iterations as FEBio's limit allows, and where
-  /// nothing is to be corrected with it, or is to be with parts in it.
+  /// Whether FEBio has to form a new matrix: after FEBio's limit of iterations, if the matrix allows no correction, or
+  /// if it must include the deferred parts.
   bool is_due();
-  /// An iteration with it has ended. Whether it has left too much of the residual for another one like it.
+  /// An iteration with the matrix has ended. Returns whether too much of the residual remains for another one.
   bool is_spent();
-  /// Has FEBio form another one after this trial, or takes that back: not what others ask for.
+  /// Requests a new matrix after this trial, or withdraws the request. Requests by others remain.
   void request(bool is_needed);
-  /// An iteration with it has been corrected: the next one is without FEBio's updates, and holds these conditions.
+  /// An iteration with the matrix has been corrected: the next one omits FEBio's updates and meets these conditions.
   void correct(const std::vector<Condition>& conditions, const MatrixParts& parts);
 
-  /// A converged state has been rejected, and the next iteration is to be with this matrix, corrected.
+  /// A converged state has been rejected, and the next iteration uses this matrix, corrected.
   void keep_next() { restore(); }
-  /// A converged state has been accepted. The augmentation or step that follows has a matrix where FEBio's settings
-  /// say so, and where conditions were held with this one.
+  /// A converged state has been accepted. The next augmentation or step forms a matrix if FEBio's settings require it,
+  /// or if this one had conditions.
   void accept();
-  /// Has FEBio form a matrix before the next iteration, also where that follows an augmentation.
+  /// Makes FEBio form a matrix before the next iteration, also after an augmentation.
   void force_next();
-  /// A time step has been solved: FEBio has its own setting again, whether augmentations form matrices.
+  /// A time step has been solved. Restores FEBio's own setting for matrices after augmentations, and resets the count
+  /// of spent matrices.
   void end_step();
 
   void serialize(DumpStream& ar);
@@ -76,27 +77,27 @@ class KeptMatrix {
   /// The properties that matrices of the model have shown.
   struct Found {
     bool needs_parts = false;   ///< deferred parts are too large
-    bool loses_pivots = false;  ///< they cannot be factorised after the row operations of contacts
+    bool loses_pivots = false;  ///< factorisations fail after the row operations of contacts
   };
   /// FEBio does not announce the matrices that it forms after augmentations, but counts all within a step. Returns
   /// whether there is another one.
   bool follow();
-  /// Begins with another one.
+  /// Begins with a new matrix.
   void begin();
-  /// Has FEBio's next solution meet conditions, and the parts with them.
+  /// Makes FEBio's next solution meet conditions, and include the deferred parts.
   void prepare(const std::vector<Condition>& conditions, const MatrixParts& parts);
-  /// Has FEBio's next solution meet conditions, once the right-hand side has been split.
+  /// Makes FEBio's next solution meet conditions after the right-hand side has been split.
   void finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions);
-  /// The solution for a right-hand side that has taken the row operations of the matrix. Zero, and nothing may be
-  /// corrected from then on, where FEBio cannot solve.
+  /// The solution for a right-hand side that has taken the row operations of the matrix. If FEBio cannot solve, the
+  /// solution is zero, and the matrix allows no further correction.
   std::vector<double> solution_of_changed(std::vector<double> changed);
   /// The solution for a right-hand side that has taken no row operations.
   std::vector<double> solution(const std::vector<double>& right);
-  /// The matrix has rows as they were where what contacts have done to them has lost pivots.
+  /// Restores the original rows if the row operations of contacts have lost pivots.
   std::vector<double> checked_solution(const std::vector<double>& right);
-  /// Factorises the matrix as it is without that, and so do those that follow; says so once.
+  /// Factorises this and later matrices without row operations, and logs this once.
   void undo_operations();
-  /// Has the next matrices hold the parts that were deferred, and says so once.
+  /// Includes the deferred parts in later matrices, and logs this once.
   void take_parts_in();
   void restore();
 
@@ -108,15 +109,15 @@ class KeptMatrix {
   bool may_correct_ = true;    ///< whether conditions can be held with it
   Found found_;
   RowOperations operations_;
-  std::vector<double> taken_;             ///< what the right-hand side is without until there is a trial
-  Split split_;                           ///< how that was found, except conditions; its product is taken
+  std::vector<double> taken_;             ///< part subtracted from the right-hand side until a trial
+  Split split_;                           ///< the split behind `taken_`, without conditions
   MatrixParts split_parts_;               ///< of that, until there is a trial
   double reduction_ = unknown_reduction;  ///< of splits, as the last trials have shown it
   std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known
   std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
 };
 
-/// Has FEBio's right-hand side as it was once a trial is made.
+/// Restores FEBio's right-hand side after a trial.
 class RightHandSide : public Helper {
  public:
   /// Keeps a reference.

@@ -1,4 +1,4 @@
-/// Couplings of a contact into the profile of FEBio's matrix.
+/// Couplings of a contact in the profile of FEBio's matrix.
 ///
 /// FEBio inserts the rows of a block one by one, for every block that a column belongs to. The blocks of a contact
 /// overlap, since a node belongs to those of all nodes around it: here a column takes the union of its blocks at once.
@@ -15,7 +15,7 @@ namespace newton {
 /// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
 using RowIntervals = std::vector<SparseMatrixProfile::RowEntry>;
 
-/// Makes intervals in any order, overlapping or not, as few as can be and ascending; they cover the same rows.
+/// Merges intervals in any order into the fewest ascending ones that cover the same rows.
 void unite(RowIntervals& intervals);
 
 /// Blocks of equations that are coupled.
@@ -27,11 +27,11 @@ class CoupledBlocks {
   /// Takes a block of equations that all couple with each other. Entries below zero are left out; throws
   /// std::out_of_range for others beyond the matrix.
   void add(const std::vector<int>& equations);
-  /// Takes one equation that couples with others, and with itself, but those not with each other.
+  /// Takes one equation that couples with itself and with others, which do not couple with each other.
   void add_star(int centre, const std::vector<int>& equations);
   /// Takes rows that have entries in columns.
   void add_rows(const std::vector<int>& rows, const std::vector<int>& columns);
-  /// Has a row take the columns of others: multiples of them are to be added to it.
+  /// Gives a row the columns of others, whose multiples are added to it later.
   void add_sum(int row, const std::vector<int>& others);
   /// Inserts all blocks. The couplings in the profile go both ways.
   void insert_into(SparseMatrixProfile& profile);

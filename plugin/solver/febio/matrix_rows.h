@@ -19,19 +19,19 @@ namespace newton {
 
 class MatrixRows {
  public:
-  /// None where FEBio stores this matrix in another way.
+  /// Null if FEBio stores this matrix in another way.
   explicit MatrixRows(FEGlobalMatrix& matrix);
 
   explicit operator bool() const { return rows_ != nullptr; }
 
   /// Subtracts blocks from the matrix, whose profile holds their places. Threads share the rows of the matrix: each row
-  /// takes what is its own in the order of the blocks, so that sums do not depend on how many threads there are.
+  /// takes its entries in the order of the blocks, so that sums do not depend on the number of threads.
   void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
-  /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. None, and the
-  /// row is as it was, where it has no place for an entry of theirs, where their rows do not determine them, and where
-  /// the diagonal of the row would be lost in rounding.
+  /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. Returns none and
+  /// changes nothing if the row lacks an entry of theirs, if their rows do not determine them, or if rounding would
+  /// destroy the diagonal of the row.
   std::optional<RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
-  /// Takes back what a row has taken of others.
+  /// Subtracts the rows of others from a row again.
   void undo(const RowOperation& operation) const;
   /// The part of its entries by which a row of the matrix, or its right-hand side, would have to be another one for a
   /// solution to be exact, at most (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
