@@ -20,7 +20,9 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def ablation(
-    only: Annotated[list[str] | None, typer.Option(help="Run scenes whose names contain this; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run scenes whose names contain this; may be repeated.")
+    ] = None,
     device: Annotated[list[str] | None, typer.Option(help="Leave out this one alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "ablation",
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,

@@ -24,7 +24,9 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def predictor(
-    only: Annotated[list[str] | None, typer.Option(help="Run models whose names contain this; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run models whose names contain this; may be repeated.")
+    ] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="Hard cases on this mesh alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "predictor",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
