@@ -50,7 +50,7 @@ class ContactSetup {
  private:
   bool has_sound_values() const;
   bool have_no_inner_facets() const;
-  /// The materials behind the facets, with a stiffness for rigid bodies that have no deformable one to touch.
+  /// The materials behind the facets, with a stiffness for rigid bodies that face rigid bodies alone.
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;

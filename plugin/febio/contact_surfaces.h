@@ -1,4 +1,4 @@
-/// The two surfaces of a contact: where their nodes are, and which facets they have in common.
+/// The two surfaces of a contact: positions of their nodes, and common facets.
 #pragma once
 
 #include "contact/interface/carried_state.h"

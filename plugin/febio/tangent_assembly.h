@@ -24,15 +24,15 @@ class TangentAssembly {
   /// The parts that the matrix takes directly.
   struct Takes {
     bool blocks;  ///< blocks of free equations
-    bool loads;   ///< loads in mixed form, where it takes blocks
+    bool loads;   ///< loads in mixed form, if the matrix takes blocks
   };
   /// Keeps references.
   TangentAssembly(const mixture_contact::ContactInterface& core, const NodeEquations& equations,
                   const LoadEquations& loads, FELinearSystem& system, FEGlobalMatrix& matrix, Takes takes);
 
   void add(const Location& rows, const Location& columns, const mixture_contact::MatrixXd& values);
-  /// Adds blocks of one effect that have the rows of one node each, times a factor. Parts without a place in the matrix
-  /// go into `beside`, if that is given.
+  /// Adds blocks of one effect that have the rows of one node each, times a factor. Adds parts that the matrix does not
+  /// include to `beside`, if given.
   void add_rows(mixture_contact::Side first, const Rows& rows, double factor, newton::MatrixPart* beside);
   void add_load(mixture_contact::Side first, const mixture_contact::LoadBlock& load);
   /// Completes the additions to the matrix. Sets the diagonal of absent loads, whose unknowns are zero. Charges each

@@ -101,7 +101,7 @@ struct HelperParameters {
   Given<std::string> devices{"all"};  ///< <solver_devices>: see newton::named_devices()
 };
 
-/// Parameters of FEBio's interfaces that this one has no use for, and a former name.
+/// Parameters of FEBio's interfaces without use here, and a former name.
 struct UnusedParameters {
   Given<int> knmult{1};
   Given<bool> smooth_aug;
@@ -333,7 +333,7 @@ std::vector<std::string> notices(const ContactParameters& parameters);
 /// Whether the surfaces resist sliding; a load curve may bring friction later.
 bool has_friction(const ContactParameters& parameters);
 
-/// Whether the fluid bears a part of the load that friction does not see; a load curve may bring that later.
+/// Whether the fluid bears a part of the load that causes no friction, now or later by a load curve.
 bool is_relieved_by_fluid(const ContactParameters& parameters);
 
 /// The effects that penalties, and conductances of membranes, of 0 leave out; one that a load curve changes leaves

@@ -9,8 +9,8 @@ struct MatrixKind {
   bool multipliers = false;  ///< whether it holds multipliers, whose diagonal is zero
 };
 
-/// The reason against solving such a matrix by FEBio's solver of this type ("pardiso", "fgmres", ...), and another one
-/// to take; empty if there is none.
+/// The reason why FEBio's solver of this type cannot solve such a matrix ("pardiso", "fgmres", ...), and another one to
+/// take; empty if there is none.
 std::string linear_solver_complaint(const std::string& type, MatrixKind matrix);
 
 /// Whether a solver of this type may be given loads at nodes as further unknowns (mixed_form.h), whose rows and columns

@@ -46,7 +46,7 @@ Condition given_unknown(int equation, double value);
 
 class Border {
  public:
-  /// Another matrix has been factorised.
+  /// Drops the data of the last matrix after a new factorisation.
   void forget() { *this = {}; }
   /// Whether any conditions have been held with it.
   bool has_held() const { return has_held_; }

@@ -43,7 +43,7 @@ class PastSteps {
   /// Whether the last step changed anything.
   bool changed() const { return !changes_.empty() && !changes_.front().values.isZero(0); }
 
-  /// The error of the best curve for the last change, as a part of it; 1 where there is no curve.
+  /// The error of the best curve for the last change, relative to it; 1 without a curve.
   double prediction_error() const { return error_; }
 
   /// Calls `use` with each part of the state, for restart files. Changes come before the curves that they have

@@ -14,7 +14,7 @@ namespace newton {
 
 class ResidualFloor : public Helper {
  public:
-  /// `rounding`: the square of the forces that rounding of positions makes of the loads at present [N^2].
+  /// `rounding`: the square of the forces by rounding of positions under the present loads [N^2].
   ResidualFloor(Solver& solver, std::function<double()> rounding) : solver_(solver), rounding_(std::move(rounding)) {}
 
   /// The solver's own least residual is at least the rounding, until the step ends. One that a user gives stays.

@@ -52,7 +52,7 @@ struct Split {
   double reduction = 0;         ///< of such a change, by another iteration
 };
 
-/// Split::reduction of an iteration of which nothing is known.
+/// Split::reduction of an unknown iteration.
 inline constexpr double unknown_reduction = 1;
 
 /// The convergence that other right-hand sides have shown.

@@ -113,7 +113,7 @@ class ActiveSet {
   /// last accepted step. Happens at most once after the start of iterations.
   bool reconsiders_edge(const NodalLoads& solution);
 
-  /// Nodes in contact that slide where iterations begin.
+  /// Nodes in contact that slide at the start of iterations.
   NodeFlags initial_slip(const NodalLoads& now) const;
   /// Nodes that slide by the predicted loads of an iteration; loads with friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
@@ -123,7 +123,7 @@ class ActiveSet {
   /// The slip of loads of the last iteration that stays at another state within a step.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
 
-  /// Nodes in contact with a positive friction bound where iterations begin.
+  /// Nodes in contact with a positive friction bound at the start of iterations.
   NodeFlags initial_rubs(const NodalLoads& now) const;
   /// Nodes with a positive friction bound by the loads that an iteration predicts.
   NodeFlags updated_rubs(const NodalLoads& predicted) const;

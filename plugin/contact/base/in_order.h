@@ -109,7 +109,7 @@ class OrderedResults {
 /// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on, use(i,
 /// result), in ascending order on the calling thread, while the others continue: sums and calls of a host come in the
 /// same order whatever the number of threads. Each thread has a copy of the workspace, and results are first copies of
-/// the empty one, then used results, whose memory serves again. `use` has no other threads to share its own work with.
+/// the empty one, then used results, whose memory serves again. `use` runs on one thread.
 template <class Workspace, class Result, class Fill, class Use>
 void in_order_with(const Workspace& workspace, const Result& empty, Index count, const Fill& fill, const Use& use) {
   const int threads = thread_count();

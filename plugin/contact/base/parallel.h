@@ -10,7 +10,7 @@
 
 namespace mixture_contact {
 
-/// Results of in_batches() that are held at once: enough to keep threads busy, few enough for the cache.
+/// Results of in_batches() that are kept at once: enough to keep threads busy, few enough for the cache.
 inline constexpr Index batch_size = 512;
 
 /// How many threads share a loop.

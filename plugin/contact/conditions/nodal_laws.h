@@ -121,8 +121,8 @@ class NodalLaws {
 
   /// The traction from the rounding of gaps under a large penalty [MPa].
   double traction_rounding(double surface_size) const;
-  /// Per field; values and jumps below this are rounding: of the field itself and, as the solvent's pressure comes from
-  /// the motion of the solid, of the stress that rounding of positions makes of the stiffness.
+  /// Rounding of values and jumps per field. It comes from the field itself and, for the solvent's pressure, from the
+  /// stress by rounding of positions, because the motion of the solid determines this pressure.
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;

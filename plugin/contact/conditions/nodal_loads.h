@@ -34,7 +34,7 @@ struct FrictionStatus {
 
 /// Averages around nodes in contact that friction depends on, and the values of its law; empty without friction.
 ///
-/// The slip s_a is that of the surfaces as they lay when the step began, and F_a takes it to the present tangent plane.
+/// The slip s_a is that in the configuration at the start of the step, and F_a maps it to the present tangent plane.
 struct NodalFriction {
   Matrix3Xd slip;                             ///< s_a [mm]
   Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da

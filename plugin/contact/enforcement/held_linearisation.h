@@ -122,7 +122,7 @@ class HeldLinearisation {
   LinearisationPoint* point_ = nullptr;  ///< the linearisation of the geometry
   /// The change of the loads as the iteration began; std::monostate where it is unknown.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
-  bool begins_ = false;      ///< whether no iteration has been before that of the matrix
+  bool begins_ = false;      ///< whether the iteration of the matrix is the first one
   double last_error_ = 0;    ///< error of the tractions at the last correction; 0 before any of this status
   bool has_matrix_ = false;  ///< whether the host's matrix belongs to this linearisation
   HostMatrix matrix_;        ///< that

@@ -27,7 +27,7 @@ class UnknownMultipliers : public EnforcementMethod {
  private:
   ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
   ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
-  /// The term of its equation in place of the gap: the jump of a field that is continuous, or the flux of a law.
+  /// The term in place of the gap in the equation of a field: the jump of a continuous field, or the flux of a law.
   FluxLaw driving(int field, Index node, const NodalLoads& loads) const;
   // Blocks of the multipliers alone, and of each node with them
   void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,

@@ -14,12 +14,12 @@ struct PastPoint {
   Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< X2,beta
 };
 
-/// The point as it lay when the time step began: its present shape functions with the nodal positions that both facets
-/// had then, `past1` and `past2` [mm].
+/// The point at the start of the time step: its present shape functions with the nodal positions of both facets at that
+/// time, `past1` and `past2` [mm].
 PastPoint past_point(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2);
 
-/// Slip over the step of the primary side relative to the secondary one, r = (1 - N N) D, as the surfaces lay when the
-/// step began. It is zero in any rigid motion of both bodies, whatever the gap: then D = g N.
+/// Slip over the step of the primary side relative to the secondary one, r = (1 - N N) D, in the configuration at the
+/// start of the step. It is zero in any rigid motion of both bodies, whatever the gap: then D = g N.
 Vector3d slip(const PastPoint& past);
 /// Slip over the step of the primary side relative to the secondary one [mm], by the nodal positions when the step
 /// began. It does without the tangents of the past point, which only the slope of the slip needs.

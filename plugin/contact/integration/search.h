@@ -40,7 +40,7 @@ bool surfaces_within_reach(const Matrix3Xd& x1, const Matrix3Xd& x2, double reac
 
 /// How far the points of a surface look for the other one.
 struct Reach {
-  // Implicit: a distance is a reach.
+  // Implicit, because a distance converts to a reach.
   Reach(double to) : distance(to) {}  // NOLINT(google-explicit-constructor)
   Reach(double to, double touching) : distance(to), by_facet(true), offset(touching) {}
 
@@ -49,7 +49,7 @@ struct Reach {
   double offset = 0;      ///< gap at which surfaces touch [length]
 
   /// How far a facet looks ahead for one that is parallel to it [length]; farther for others (tilted_reach()). Infinite
-  /// where the distance is the only limit.
+  /// if the distance is the only limit.
   double ahead(const Facet& facet, const Matrix3Xd& position) const;
   friend bool operator==(const Reach& one, const Reach& other) {
     return one.distance == other.distance && one.by_facet == other.by_facet && one.offset == other.offset;
@@ -130,12 +130,12 @@ class MovingSurface {
 
   /// As nearest_facing() in the present configuration; nothing before the first. `neighbours` are those of this ray
   /// from earlier calls, and are renewed where it has moved too far; `keep_visible`, if given, leaves those that it may
-  /// see. Rays with neighbours of their own may be searched for at once.
+  /// see. Rays with separate neighbours may be searched in parallel.
   std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours,
                                            const std::function<void(std::vector<int>&)>& keep_visible = {},
                                            const AcceptHit& accept = {}) const;
 
-  /// Indices of the facets whose boxes a way from a place along a unit vector meets.
+  /// Indices of the facets whose boxes a ray from a point along a unit vector meets.
   std::vector<int> met(const Vector3d& from, const Vector3d& direction, double length) const;
   const Matrix3Xd& positions() const { return positions_; }
   std::size_t memory() const;  ///< [bytes]

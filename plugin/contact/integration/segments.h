@@ -61,7 +61,7 @@ class Segments : public PointFinder {
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const;
   /// Whether two facets are at the edge of their view of each other.
   bool is_kept(const FacetPair& pair) const;
-  /// Whether the facets of a pair see each other at one of its points.
+  /// Whether the facets of a pair face each other at one of its points.
   bool sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
             const Reach& reach) const;
   /// Whether another one of the pairs of its primary facet lies nearer; `circles`: around secondary facets.

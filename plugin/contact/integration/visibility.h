@@ -43,7 +43,7 @@ class Visibility {
     MovingSurface moving;
     double size = 0;  ///< diagonal of the box around it [length]
   };
-  /// A way along a unit vector.
+  /// A segment from a point along a unit vector.
   struct Way {
     Vector3d from;
     Vector3d direction;

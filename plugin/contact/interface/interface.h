@@ -98,7 +98,7 @@ class ContactInterface {
   /// if multipliers are unknowns: there is no room for unknowns on both surfaces.
   UndetectedPenetration check_penetration(const PerSide<SurfaceFields>& fields);
 
-  /// The overlap that the last check_penetration() left without load.
+  /// The overlap without load after the last check_penetration().
   const UndetectedPenetration& undetected_penetration() const { return check_.undetected; }
 
   /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.

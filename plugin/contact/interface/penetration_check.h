@@ -10,7 +10,7 @@ namespace mixture_contact {
 /// without any load, unless a second pass resolves it. The averages cover facets next to contact: an overlap there is
 /// the error of the edge of contact, which no second pass reduces.
 struct UndetectedPenetration {
-  int nodes = 0;     ///< how many lie deeper than penetration_tolerance
+  int nodes = 0;     ///< number of nodes deeper than penetration_tolerance
   double depth = 0;  ///< of the deepest [mm]
   double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
 };

@@ -80,7 +80,7 @@ class KeptMatrix {
     bool loses_pivots = false;  ///< factorisations fail after the row operations of contacts
   };
   /// FEBio does not announce the matrices that it forms after augmentations, but counts all within a step. Returns
-  /// whether there is another one.
+  /// whether FEBio has formed a new one.
   bool follow();
   /// Begins with a new matrix.
   void begin();

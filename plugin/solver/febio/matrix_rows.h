@@ -1,4 +1,4 @@
-/// Dense blocks into a matrix that FEBio stores by rows.
+/// Addition of dense blocks to a matrix that FEBio stores by rows.
 ///
 /// FEBio bisects the row for every entry of a block, and adds it by an atomic instruction. Columns of a row are
 /// ascending: with those of the block in the same order one walk along the row meets all of them.
@@ -33,8 +33,8 @@ class MatrixRows {
   std::optional<RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
   /// Subtracts the rows of others from a row again.
   void undo(const RowOperation& operation) const;
-  /// The part of its entries by which a row of the matrix, or its right-hand side, would have to be another one for a
-  /// solution to be exact, at most (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
+  /// Backward error of a solution: the largest relative change of a row of the matrix, or of its right-hand side, that
+  /// makes the solution exact (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
   double backward_error(const std::vector<double>& solution, const std::vector<double>& right) const;
 
  private:

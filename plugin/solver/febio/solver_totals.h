@@ -1,4 +1,4 @@
-/// The changes of a step so far, as FEBio's solvers hold them.
+/// The changes since the start of a step in FEBio's solvers.
 ///
 /// They keep it per equation, and those of FEBioMix once more for each variable, in an order of their own. Their
 /// convergence tests compare an increment with these totals.

@@ -20,10 +20,12 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def ablation(
-    only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run scenes whose names contain this; may be repeated.")
+    ] = None,
     device: Annotated[list[str] | None, typer.Option(help="Leave out this one alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "ablation",
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
 ) -> None:
     """Run scenes with all devices of the solver, and with each device left out that acts there.
 

@@ -23,7 +23,7 @@ console = Console(highlight=False, soft_wrap=True)
 def agreement(
     only: Annotated[list[str] | None, typer.Option(help="Run this scene alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write runs to this folder.")] = RESULTS / "agreement",
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run models with FEBio's interface and converted on finer and finer meshes, and compare both with the finest.

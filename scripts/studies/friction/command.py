@@ -23,7 +23,7 @@ from studies.pages.evidence import DATA
 from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
-Limit = Annotated[float, typer.Option(help="s of processor time for each run.")]
+Limit = Annotated[float, typer.Option(help="Limit each run to this processor time [s].")]
 
 
 def friction_cases(

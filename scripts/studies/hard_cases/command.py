@@ -31,7 +31,7 @@ def hard_cases(
     interface: Annotated[list[Interface] | None, typer.Option(help="Run this interface alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "hard-cases",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
     snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
 ) -> None:
@@ -83,7 +83,7 @@ def hard_case(
     mesh: Annotated[Fineness, typer.Argument(help="Which mesh.")] = Fineness.COARSE,
     interface: Annotated[list[Interface] | None, typer.Option(help="This interface alone; may be repeated.")] = None,
     out: Annotated[Path | None, typer.Option(help="Write the records to this file, as JSON.")] = None,
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
 ) -> None:
     """Run one hard case on one mesh and print its checks."""
     runner = Runner(RESULTS / "hard-cases" / "runs", processor_limit=limit)

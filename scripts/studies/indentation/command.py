@@ -122,7 +122,7 @@ def indentation_study(
     ] = InterfaceType.MIXTURE,
     solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
     default_penalties: Annotated[bool, typer.Option(help="The interface's own penalties, not FEBio's scaled.")] = False,
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = configurations.TIMEOUT,
+    timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = configurations.TIMEOUT,
     folder: Annotated[Path, typer.Option(help="Write runs and the table to this folder.")] = RESULTS,
 ) -> None:
     """Run problem 3.3 in the five configurations in which FEBio's interfaces fail, and list how each run went."""

@@ -26,7 +26,7 @@ def knee(
     stance: Annotated[Size, typer.Option(help="How fine the knee in stance is.")] = Size.SMALL,
     gait: Annotated[Size, typer.Option(help="How fine the knee in gait is.")] = Size.COARSE,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "knee",
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = page.LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = page.LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write data, page and picture of the documentation.")] = False,
 ) -> None:
     """Run the elastic knee with sliding-mixture and with FEBio's interface, and draw the pressure of both.

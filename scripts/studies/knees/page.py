@@ -16,7 +16,7 @@ SOURCE, PICTURE = "knee.csv", "knee.png"
 _OURS = InterfaceType.MIXTURE.value
 _LIMITS = """\
 Cartilage and menisci are elastic here. The sizes `medium` and `large` are not among these runs. Gait runs on the coarse
-mesh alone, which does not resolve the pressure. No conforming reference says which pressure is right."""
+mesh alone, which does not resolve the pressure. No conforming reference decides between the pressures."""
 
 
 def figures() -> Mapping[str, str]:

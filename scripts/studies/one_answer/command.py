@@ -26,7 +26,7 @@ console = Console(highlight=False, soft_wrap=True)
 
 def one_answer(
     only: Annotated[list[str] | None, typer.Option(help="This scene alone, by its name; may be repeated.")] = None,
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = 600.0,
+    timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = 600.0,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "one-answer",
     jobs: Annotated[int, typer.Option(min=1, help="Scenes at a time.")] = sanitized.processors(),
 ) -> None:

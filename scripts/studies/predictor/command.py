@@ -24,11 +24,13 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def predictor(
-    only: Annotated[list[str] | None, typer.Option(help="Models whose names hold this; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run models whose names contain this; may be repeated.")
+    ] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="Hard cases on this mesh alone.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "predictor",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run every model and every hard case without and with the predictor, and write the table.

@@ -28,7 +28,7 @@ def robustness(
     only: Annotated[list[str] | None, typer.Option(help="This model alone, by its name; may be repeated.")] = None,
     quick: Annotated[bool, typer.Option("--quick", help="A few models and steps: less than three minutes.")] = False,
     steps: Annotated[int | None, typer.Option(min=0, help="Time steps of each run; 0: all that the model has.")] = None,
-    timeout: Annotated[float, typer.Option(help="s of wall time for each run.")] = 600.0,
+    timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = 600.0,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "robustness",
     jobs: Annotated[int, typer.Option(min=1, help="Models at a time.")] = sanitized.processors(),
 ) -> None:

@@ -24,10 +24,12 @@ console = Console(highlight=False, soft_wrap=True)
 
 def synthetic_scenes(
     collection: Annotated[Collection, typer.Option(help="Which scenes.")] = Collection.BLOCKS,
-    only: Annotated[list[str] | None, typer.Option(help="Scenes whose names hold this; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run scenes whose names contain this; may be repeated.")
+    ] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "synthetic-scenes",
     jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
-    limit: Annotated[float, typer.Option(help="s of processor time for each run.")] = LIMIT,
+    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
     plugin: Annotated[
         Path | None, typer.Option(help=f"Load this plugin, not ${PLUGIN_VARIABLE} or that of the build.")
     ] = None,
