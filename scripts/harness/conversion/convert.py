@@ -78,7 +78,7 @@ def convert(path: Path) -> Converted:
     """
     model = models.read(path)
     joints = [Joint(model, contact) for contact in (*model.contacts, *model.ties)]
-    if not any(_becomes_ours(joint) for joint in joints):
+    if not any(_is_convertible(joint) and not tied_contacts.stays(joint) for joint in joints):
         found = ", ".join(sorted({joint.contact.kind.name for joint in joints}))
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
         stay = "".join(f"; {reason}" for reason in dict.fromkeys(filter(None, map(tied_contacts.stays, joints))))
@@ -115,11 +115,11 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     changes: dict[str, list[Change]] = {}
     for number, (contact, joint) in enumerate(_joints(files, model), 1):
         kind = contact.span.attributes.get("type", "")
-        if joint is not None and tied_contacts.stays(joint):
-            changes[_title(contact, number, model.path)] = [
-                Change(Action.KEPT, "type", contact.span.line, f"stays: {tied_contacts.stays(joint)}")
-            ]
-        if joint is None or not _becomes_ours(joint):
+        if joint is None or not _is_convertible(joint):
+            continue
+        if reason := tied_contacts.stays(joint):
+            stays = Change(Action.KEPT, "type", contact.span.line, f"stays: {reason}")
+            changes[_title(contact, number, model.path)] = [stays]
             continue
         data, is_tie = files.data[contact.file], joint.contact.kind.is_tie
         new = TIED if is_tie else MIXTURE
@@ -137,8 +137,8 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     return edits, changes
 
 
-def _becomes_ours(joint: Joint) -> bool:
-    return joint.contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES) and not tied_contacts.stays(joint)
+def _is_convertible(joint: Joint) -> bool:
+    return joint.contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES)
 
 
 def _title(contact: Located, number: int, model: Path) -> str:

@@ -8,6 +8,8 @@ from harness.preflight.plugin_types import PLUGIN_TYPES
 
 MIXTURE = "sliding-mixture"
 TIED = "tied-mixture"
+STICKY = "sticky"
+"""FEBio's type that ties what touches, and lets it go at a tension."""
 
 _COMMON = ("laugon", "tolerance", "gaptol", "penalty", "auto_penalty", "update_penalty", "two_pass", "knmult")
 _SEARCH = ("search_tol", "search_radius", "seg_up", "minaug", "maxaug", "node_reloc", "smooth_aug")
@@ -49,7 +51,7 @@ class ContactType:
     @property
     def is_tie(self) -> bool:
         """Whether it joins bodies."""
-        return self.name.startswith("tied") or self.name == "sticky"
+        return self.name.startswith("tied") or self.name == STICKY
 
     @property
     def modules(self) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from harness.preflight.contact_types import TIED, ContactType
+from harness.preflight.contact_types import STICKY, TIED, ContactType
 from harness.preflight.plugin_types import PLUGIN_TYPES
 
 _ENFORCED = ("laugon", "tolerance", "penalty", "minaug", "maxaug")
@@ -11,8 +11,6 @@ _SOLVENT = ("ptol", "pressure_penalty")
 _SOLUTE = ("ctol", "concentration_penalty")
 _OF_FEBIO = ("two_pass", "knmult", "symmetric_stiffness")
 _FLIPS = ("flip_primary", "flip_secondary")
-STICKY = "sticky"
-"""FEBio's type that ties what touches, and lets it go at a tension."""
 _OWN = tuple(parameter.name for parameter in PLUGIN_TYPES[TIED])
 
 

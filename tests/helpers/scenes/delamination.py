@@ -34,6 +34,8 @@ class Strips:
         Largest distance that the ends move apart, mm.
     steps : int
         Equal time steps.
+    more : str
+        Further parameters of the tie.
     """
 
     cells: int = 4

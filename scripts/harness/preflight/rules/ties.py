@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from harness.preflight import rays
-from harness.preflight.contact_types import TIED
+from harness.preflight.contact_types import STICKY, TIED
 from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
 from harness.preflight.rules import settings, surfaces
 from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
-from harness.preflight.tied_types import ANY_DISTANCE, STICKY
+from harness.preflight.tied_types import ANY_DISTANCE
 from harness.preflight.xml_file import children
 
 Array = NDArray[np.float64]
