@@ -10,6 +10,7 @@ import typer
 from harness.errors import HarnessError
 from harness.paths import DOCS, MODELS
 from harness.user_commands import FOR_EVERYBODY, commands
+from studies.ablation import page as ablation
 from studies.agreement import page as agreement
 from studies.cli import COMMANDS
 from studies.cost import page as cost
@@ -48,6 +49,7 @@ EVIDENCE = (
     hertz.PAGE,
     knees.PAGE,
     predictor.PAGE,
+    ablation.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""
 

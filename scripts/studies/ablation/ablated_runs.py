@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import median
 
 from lxml import etree
 
@@ -36,6 +35,8 @@ class Ablated:
     iterations, retries, matrices : int
     entries : int
         The most of the matrix in the run.
+    time : float
+        Processor time of the run [s].
     acted : str
         How often devices acted.
     """
@@ -48,6 +49,7 @@ class Ablated:
     retries: int
     matrices: int
     entries: int
+    time: float
     acted: str
 
 
@@ -94,23 +96,9 @@ def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) ->
             etree.SubElement(contact, "solver_devices").text = left_out.others
     path = changed.write(folder)
     command = engine.limited(engine.Febio4().command(path, plugin=True), limit)
-    report = engine.execute(command, folder, check=False).report
+    done = engine.execute(command, folder, check=False)
+    report = done.report
     log = path.with_suffix(".log").read_text(errors="replace")
     acted = ACTED.search(log)
-    counts = (report.iterations, report.retries, report.reformations, table.entries(log))
+    counts = (report.iterations, report.retries, report.reformations, table.entries(log), done.cpu)
     return Ablated(name, kind, left_out.what, report.normal, *counts, acted.group(1) if acted else "")
-
-
-def effect(rows: Sequence[Ablated], kind: str, device: str, figure: Callable[[Ablated], float]) -> tuple[float, int]:
-    """The median of a figure without a device over that with it, over scenes of a kind in which it acts; their number.
-
-    Runs that do not end on both sides do not count.
-    """
-    whole = {row.scene: row for row in rows if row.kind == kind and row.without == "nothing"}
-    ratios = [
-        figure(row) / figure(whole[row.scene])
-        for row in rows
-        if row.kind == kind and row.without == device and row.ended and whole[row.scene].ended
-        if device in whole[row.scene].acted
-    ]
-    return (median(ratios), len(ratios)) if ratios else (float("nan"), 0)

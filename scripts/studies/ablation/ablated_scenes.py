@@ -1,4 +1,4 @@
-"""The scenes that devices are left out of: joints, hard cases on the coarse mesh, synthetic test scenes."""
+"""The scenes that devices are left out of: joints, hard cases on the coarse mesh, synthetic and reported scenes."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.price import joints
 from studies.synthetic_scenes import all_scenes, comparison
+from studies.synthetic_scenes.comparison import Written
+from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 
-JOINT, HARD_CASE, SYNTHETIC = "joint", "hard case", "synthetic scene"
+JOINT, HARD_CASE, SYNTHETIC, REPORT = "joint", "hard case", "synthetic scene", "reported scene"
 
 
 @dataclass(frozen=True)
@@ -22,7 +24,7 @@ class AblatedScene:
     Attributes
     ----------
     kind : str
-        `JOINT`, `HARD_CASE` or `SYNTHETIC`.
+        `JOINT`, `HARD_CASE`, `SYNTHETIC` or `REPORT`.
     write : callable
         Writes the model into a folder, and returns its path.
     """
@@ -39,15 +41,20 @@ def _write_hard_case(name: str, folder: Path) -> Path:
     return CASES[name].scene.model(Fineness.COARSE, Interface.MIXTURE).write(folder)
 
 
-def _write_synthetic(name: str, folder: Path) -> Path:
+def _write_converted(name: str, scene: Written, folder: Path) -> Path:
     """Write a scene converted, with its penalties deleted."""
-    original = all_scenes.SCENES[name].write(name, folder / "febio")
+    original = scene.write(name, folder / "febio")
     return comparison.write_converted(original, folder, comparison.without_penalties)
+
+
+def _converted(kind: str, scenes: Mapping[str, Written]) -> Mapping[str, AblatedScene]:
+    return {f"{kind}: {name}": AblatedScene(kind, partial(_write_converted, name, scenes[name])) for name in scenes}
 
 
 SCENES: Mapping[str, AblatedScene] = {
     **{f"{JOINT}: {name}": AblatedScene(JOINT, partial(_write_joint, scene)) for name, scene in joints.SCENES.items()},
     **{f"{HARD_CASE}: {name}": AblatedScene(HARD_CASE, partial(_write_hard_case, name)) for name in CASES},
-    **{f"{SYNTHETIC}: {name}": AblatedScene(SYNTHETIC, partial(_write_synthetic, name)) for name in all_scenes.SCENES},
+    **_converted(SYNTHETIC, all_scenes.SCENES),
+    **_converted(REPORT, REPORTED),
 }
 """By name."""

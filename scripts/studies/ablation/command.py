@@ -9,11 +9,12 @@ import typer
 from rich.console import Console
 
 from harness.choice import chosen
-from harness.paths import RESULTS
-from studies import files, stamps, tables
-from studies.ablation import ablated_runs
+from harness.paths import DOCS, RESULTS
+from studies import files, stamps
+from studies.ablation import ablated_runs, page
 from studies.ablation.ablated_runs import Ablated
 from studies.ablation.ablated_scenes import SCENES
+from studies.pages.evidence import DATA
 from studies.stamps import LIMIT
 
 console = Console(highlight=False, soft_wrap=True)
@@ -26,10 +27,11 @@ def ablation(
     device: Annotated[list[str] | None, typer.Option(help="Leave out this one alone; may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "ablation",
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
+    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run scenes with all devices of the solver, and with each device left out that acts there.
 
-    Iterations, retries, matrices and entries go to ablation.csv.
+    Iterations, retries, matrices, entries and times go to ablation.csv.
     """
     devices = chosen(device, ablated_runs.devices(), "--device")
     scenes = [name for name in SCENES if not only or any(part in name for part in only)]
@@ -39,8 +41,12 @@ def ablation(
         rows += found
         console.print("\n".join(_line(row) for row in found), markup=False)
         files.write_csv(rows, Ablated, folder / "ablation.csv", stamps.stamp(limit))
-    console.print(_summary(rows, devices), markup=False)
+    console.print(page.summary(page.pairs(rows)), markup=False)
     console.print(f"Written: {folder / 'ablation.csv'}")
+    if docs:
+        files.write_csv(rows, Ablated, DATA / page.SOURCE, stamps.stamp(limit))
+        (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
+        console.print(f"Written: {DOCS / page.PAGE.name}")
 
 
 def _line(row: Ablated) -> str:
@@ -49,14 +55,3 @@ def _line(row: Ablated) -> str:
         f"{row.scene}, without {row.without}: {row.iterations} iterations, {row.retries} retries, "
         f"{row.matrices} matrices, {row.entries} entries{end}"
     )
-
-
-def _summary(rows: list[Ablated], names: list[str]) -> str:
-    effects = []
-    for kind in dict.fromkeys(row.kind for row in rows):
-        for name in names:
-            iterations, count = ablated_runs.effect(rows, kind, name, lambda row: row.iterations)
-            entries, _ = ablated_runs.effect(rows, kind, name, lambda row: row.entries)
-            if count:
-                effects.append((kind, name, count, f"{iterations:.3f}", f"{entries:.3f}"))
-    return tables.markdown(("kind", "device", "scenes", "iterations", "entries"), effects)

@@ -1,0 +1,130 @@
+"""The page of devices that are left out one at a time: docs/reference/ablation.md, from docs/data/ablation.csv."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+from studies import files, tables
+from studies.ablation.ablated_runs import ALL, Ablated
+from studies.ablation.ablated_scenes import SCENES
+from studies.pages.evidence import DATA, EvidencePage
+
+SOURCE = "ablation.csv"
+BETTER = 0.02
+"""Part of the iterations that a run without a device saves, at least, where the scene is better without it."""
+_HEADS = (
+    *("scenes", "device", "acts in", "iterations", "matrices", "entries", "time"),
+    *("better without it", "worse without it"),
+)
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A scene with all devices, and without one of them that acted."""
+
+    whole: Ablated
+    without: Ablated
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether both runs complete."""
+        return self.whole.ended and self.without.ended
+
+    @property
+    def is_better(self) -> bool:
+        """Whether the run without the device is better."""
+        return _beats(self.without, self.whole)
+
+    @property
+    def is_worse(self) -> bool:
+        """Whether the run with all devices is better."""
+        return _beats(self.whole, self.without)
+
+    def ratio(self, figure: str) -> float:
+        """A figure without the device over that with all devices."""
+        return float(getattr(self.without, figure) / max(getattr(self.whole, figure), 1e-9))
+
+
+def _beats(one: Ablated, other: Ablated) -> bool:
+    """Whether a run completes where the other does not, has fewer retries, or clearly fewer iterations."""
+    if one.ended != other.ended:
+        return one.ended
+    if one.retries != other.retries:
+        return one.retries < other.retries
+    return one.iterations <= (1 - BETTER) * other.iterations
+
+
+def pairs(rows: Sequence[Ablated]) -> list[Pair]:
+    """All pairs of runs, in the order of the data."""
+    whole = {row.scene: row for row in rows if row.without == "nothing"}
+    found = (Pair(whole[row.scene], row) for row in rows if row.without not in ("nothing", "any"))
+    return [pair for pair in found if pair.without.without in pair.whole.acted]
+
+
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    rows = files.read_csv(DATA / SOURCE, Ablated)
+    found = pairs(rows)
+    return {
+        "summary": summary(found),
+        "table": tables.markdown(_HEADS, _lines(found)),
+        "least": f"{BETTER:.0%}".replace("%", " %"),
+        "better": tables.markdown(
+            ("scene", "device", "with all devices", "without it", "time without it over that with all"), _better(found)
+        ),
+        "scope": _scope(rows),
+    }
+
+
+def summary(found: Sequence[Pair]) -> str:
+    """How often the devices help and harm."""
+    better = sum(pair.is_better for pair in found)
+    worse = sum(pair.is_worse for pair in found)
+    return (
+        f"In {len(found)} comparisons of a scene with {ALL} devices and without one, the scene is worse without "
+        f"the device in {worse} and better in {better}."
+    )
+
+
+def _lines(found: Sequence[Pair]) -> Iterator[tuple[str, ...]]:
+    for kind in dict.fromkeys(pair.whole.kind for pair in found):
+        of_kind = [pair for pair in found if pair.whole.kind == kind]
+        for device in dict.fromkeys(pair.without.without for pair in of_kind):
+            yield _line(kind, device, [pair for pair in of_kind if pair.without.without == device])
+
+
+def _line(kind: str, device: str, found: Sequence[Pair]) -> tuple[str, ...]:
+    complete = [pair for pair in found if pair.is_complete]
+    medians = (_median(complete, figure) for figure in ("iterations", "matrices", "entries", "time"))
+    counts = (sum(pair.is_better for pair in found), sum(pair.is_worse for pair in found))
+    return f"{kind}s", f"`{device}`", str(len(found)), *medians, *map(str, counts)
+
+
+def _median(found: Sequence[Pair], figure: str) -> str:
+    return f"{median(pair.ratio(figure) for pair in found):.2f}" if found else ""
+
+
+def _better(found: Sequence[Pair]) -> Iterator[tuple[str, ...]]:
+    for pair in found:
+        if pair.is_better:
+            time = f"{pair.ratio('time'):.2f}" if pair.is_complete else ""
+            yield pair.whole.scene, f"`{pair.without.without}`", _cell(pair.whole), _cell(pair.without), time
+
+
+def _cell(row: Ablated) -> str:
+    retries = f" ({row.retries})" if row.retries else ""
+    return f"{row.iterations}{retries}" if row.ended else "fails"
+
+
+def _scope(rows: Sequence[Ablated]) -> str:
+    """How many scenes of each kind the data have."""
+    measured = {row.scene: row.kind for row in rows}
+    known = [scene.kind for scene in SCENES.values()]
+    parts = [f"{list(measured.values()).count(kind)} of {known.count(kind)} {kind}s" for kind in dict.fromkeys(known)]
+    return f"The data have {', '.join(parts[:-1])} and {parts[-1]}."
+
+
+PAGE = EvidencePage("reference/ablation.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)
