@@ -99,7 +99,7 @@ class NodalLaws {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
   }
 
-  /// Sets traction and fluxes of the nodes in contact from gaps and jumps. Without `with_penalty` they are set to the
+  /// Sets traction and fluxes of the nodes in contact from gaps and jumps; if `with_penalty` is false, to the
   /// multipliers.
   void load(NodalLoads& loads, bool with_penalty) const;
 
@@ -129,9 +129,9 @@ class NodalLaws {
 
   /// The traction that the rounding of gaps causes under the penalty [MPa].
   double traction_rounding(double surface_size) const;
-  /// The rounding error of values and jumps per field. It comes from the field itself. For the pressure of the solvent
-  /// it also comes from the stress that the rounding of positions causes, because the motion of the solid determines
-  /// the pressure.
+  /// The rounding error of values and jumps per field. It comes from the field itself. The rounding error of the
+  /// solvent's pressure also contains the stress that the rounding of positions causes, because the motion of the solid
+  /// determines the pressure.
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;

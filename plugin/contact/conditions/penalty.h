@@ -19,10 +19,10 @@ struct Penalties {
 
 /// Factor of the storage of an element in its conductance.
 ///
-/// In a time step dt, an element of stiffness E/h stores solvent like a conductance of h/(E dt) [mm^3/(N s)]. In steps
-/// far below the time in which the element drains, fluxes fill this storage, and a penalty from the permeability alone
-/// would leave a large jump of the pressure. With this factor and the default penalty factor of fluxes, the jump is a
-/// thousandth, as for the default traction penalty.
+/// In a time step dt, an element of stiffness E/h stores solvent like a conductance of h/(E dt) [mm^3/(N s)]. If steps
+/// are far below the time in which the element drains, fluxes fill this storage, and a penalty from the permeability
+/// alone would leave a large jump of the pressure. With this factor and the default penalty factor of fluxes, the jump
+/// is a thousandth, as for the default traction penalty.
 inline constexpr double storage_part = default_traction_factor / default_flux_factor;
 
 /// Stiffness or conductance of two sides in series, times two, such that equal sides give their own value: 2 k1 k2/(k1

@@ -70,8 +70,8 @@ struct SubFacet {
   std::vector<int> nodes;
 };
 
-/// The linear pieces of a facet: a linear facet itself; four quadrilaterals for quad8 and quad9; four triangles for
-/// tri6, or six around the centre node for tri7. In parametric coordinates they are parallelograms or triangles.
+/// The linear pieces of a facet, which are parallelograms or triangles in parametric coordinates: a linear facet
+/// itself; four quadrilaterals for quad8 and quad9; four triangles for tri6, or six around the centre node for tri7.
 const std::vector<SubFacet>& sub_facets(FacetType type);
 
 /// The nodes on the boundary of a facet, in the order of its corners, with the mid-edge nodes in between.
@@ -82,7 +82,7 @@ int sub_facet_at(FacetType type, const Vector2d& xi);
 
 /// The functions psi_a that interpolate tractions, fluxes and multipliers, and that weight nodal averages. They are
 /// linear on each triangular piece and bilinear on each quadrilateral piece of a facet; psi_a is 1 at node a and 0 at
-/// the other nodes. At the centre of an 8-node quadrilateral they have the mean of the values at the mid-edge nodes.
+/// the other nodes. Their values at the centre of an 8-node quadrilateral are the means of those at the mid-edge nodes.
 ///
 /// The functions add up to 1 and, unlike the shape functions of quadratic facets, are not negative anywhere on the
 /// facet. Every part of a facet therefore has positive weights (Puso, Laursen and Solberg 2008, Comput Methods Appl

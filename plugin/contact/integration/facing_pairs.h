@@ -29,8 +29,8 @@ class FacingPairs {
   void search(const FacingPositions& x, const Reach& reach);
   /// Projects the points at new positions onto the secondary facets that the last search() found for them.
   void project_on_same_facets(const FacingPositions& x);
-  /// Begins a Newton iteration of the point finder (see PointFinder::begin_iteration()). Where the finder would now
-  /// find other pairs, it searches again and returns true.
+  /// Begins a Newton iteration of the point finder (see PointFinder::begin_iteration()). If the finder would now find
+  /// other pairs, it searches again and returns true.
   bool begin_iteration(const FacingPositions& x);
   /// Ends the Newton iterations of the point finder (see PointFinder::end_iterations()).
   void end_iterations() { has_kept_ = finder_->end_iterations() || has_kept_; }

@@ -31,7 +31,7 @@ struct FacetPair {
   Index first = 0;   ///< index of the pair's first point among the points of all pairs
   Index points = 0;  ///< number of the pair's points
   /// True if the pair is fully covered: integrals over all pairs of its primary facet are exact, and the secondary
-  /// surface continues across each edge that divides them. Where such an edge moves, one pair gains the area that its
+  /// surface continues across each edge that divides them. If such an edge moves, one pair gains the area that its
   /// neighbour loses. Sums over the pairs then do not depend on the motion of their points.
   bool unbroken = false;
 };
@@ -95,7 +95,7 @@ class PointFinder {
   /// for them. The result depends on that search and on the positions alone.
   virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) = 0;
 
-  /// Begins a Newton iteration at the positions of the last search. From now on the finder keeps points paired that
+  /// Begins a Newton iteration at the positions of the last search. The finder keeps points paired from now on that
   /// have repeatedly lost the other surface at its edge. Returns true if a search at the same positions would therefore
   /// find more pairs.
   virtual bool begin_iteration() { return false; }
@@ -123,10 +123,10 @@ std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const Surf
 /// Gauss points at fixed parametric coordinates of the primary facets. Each point is paired with the nearest facet that
 /// faces it. Its weight is the quadrature weight times the facing share of both facets (facing_share.h).
 ///
-/// The load of a point drops to zero where the point passes the edge of the other surface. Where a whole contact
-/// depends on one point, this jump may leave no equilibrium on either side of the edge. A point that loses its
-/// projection for the second time within the iterations of a step is therefore kept until they end: it stays paired
-/// with its last facet, which is extended beyond its edge.
+/// The load of a point drops to zero where the point passes the edge of the other surface. This jump may leave no
+/// equilibrium on either side of the edge if a whole contact depends on one point. A point that loses its projection
+/// for the second time within the iterations of a step is therefore kept until they end: it stays paired with its last
+/// facet, which is extended beyond its edge.
 class GaussPoints : public PointFinder {
  public:
   /// `order`: order of the quadrature rule on every primary facet, 0 for default_quadrature_order. `tolerance`:

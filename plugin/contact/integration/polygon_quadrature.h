@@ -38,9 +38,10 @@ Alignment<Number> alignment(const Polygon<Number>& polygon);
 ///
 /// Order 1: the centroid. Order 2: three (triangles) or four points on the ellipse of inertia, which fits within any
 /// convex figure if scaled by sqrt(2) (Kannan, Lovasz and Simonovits 1995, Discrete Comput Geom 13:541-559). Order 2 is
-/// exact for polynomials of the second degree, and of the third where the polygon is symmetric about its centroid. On a
-/// parallelogram aligned with its own sides order 2 gives the 2 x 2 Gauss points, and on a triangle the triangle's rule
-/// of order 2. Higher orders: the rule of this order on a quadrilateral, or on the triangles around the centroid.
+/// exact for polynomials of the second degree, and of the third where the polygon is symmetric about its centroid. Its
+/// points are the 2 x 2 Gauss points on a parallelogram aligned with its own sides, and the points of the triangle rule
+/// of order 2 on a triangle. Higher orders: the rule of this order on a quadrilateral, or on the triangles around the
+/// centroid.
 template <class Number>
 PolygonPoints<Number> polygon_quadrature(const Polygon<Number>& polygon, const Alignment<Number>& aligned, int order);
 

@@ -97,9 +97,9 @@ std::optional<SurfaceHit> facing_hit(int index, const IndexedVector<Facet>& face
 /// The nearest hit of a ray on the facing facets of a tree for which `accept` (if given) is true; empty if there is
 /// none.
 ///
-/// The length of a hit is its gap plus its distance outside the facet. Where facets adjoin at less than 45 degrees, the
+/// The length of a hit is its gap plus its distance outside the facet. If facets adjoin at less than 45 degrees, the
 /// facet that the ray really meets is therefore nearer, and the gap does not jump as the hit crosses their edge. The
-/// choice depends on the configuration alone and not on earlier calls. Of hits with equal lengths the lowest facet
+/// choice depends on the configuration alone and not on earlier calls. If hits have equal lengths, the lowest facet
 /// index counts.
 std::optional<SurfaceHit> nearest_facing(const FacetTree& tree, const IndexedVector<Facet>& facets,
                                          const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept = {});

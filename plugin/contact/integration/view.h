@@ -6,7 +6,7 @@
 
 namespace mixture_contact {
 
-/// Two unit vectors in the plane, one per row. With the normal they form a right-handed system.
+/// Two unit vectors in the plane, one per row; they and the normal form a right-handed system.
 using PlaneAxes = Eigen::Matrix<double, 2, 3>;
 
 /// A parallel projection along the normal at a point of a facet.

@@ -18,7 +18,7 @@ using LoadCarriers = IndexedVector<FacetVector>;
 
 /// Decides which nodes carry the load of partly covered facets.
 ///
-/// A decision is constant during the iterations of a step. At the start of the next step it changes only if the
+/// A decision is constant during the iterations of a step. It changes at the start of the next step only if the
 /// coverage has changed clearly: with other weights the averages would be different, and the state from which the step
 /// starts would not be in equilibrium.
 class BoundaryWeights {

@@ -31,8 +31,8 @@ struct TieLoads {
 };
 
 /// Default penalties of a tie as multiples of the stiffness and of the conductance of the adjoining elements. A tie has
-/// no change of status that would require smaller factors. With these factors gaps and jumps are far below the error of
-/// a mesh, and still above the rounding of a linear solver.
+/// no change of status that would require smaller factors. Gaps and jumps are then far below the error of a mesh, and
+/// still above the rounding of a linear solver.
 inline constexpr double default_tie_factor = 1e6;
 inline constexpr double default_tie_flux_factor = 1e7;
 /// Default penalty factor of a cohesive tie (Turon, Davila, Camanho and Costa 2007, Eng Fract Mech 74:1665-1682). A
