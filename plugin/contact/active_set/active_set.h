@@ -17,7 +17,7 @@ struct ActiveSetOptions {
   /// A node whose status changes more often than this within a time step is at the edge of contact: it has closed,
   /// opened and closed again. The limit also holds for nodes of the secondary surface that face contact.
   int most_status_changes = 3;
-  /// Nodes that have changed more often than this within a time step cycle. From then on only one of them changes in an
+  /// Nodes that have changed more often than this within a time step cycle. Only one of them then changes in an
   /// iteration, together with all nodes that do not cycle.
   int most_joint_changes = 2 * most_status_changes;
   /// A node of the secondary surface is in contact if the contact status that is interpolated from the opposite primary

@@ -11,8 +11,8 @@
 ///     d = f (lambda - o)/(lambda (f - o)) for lambda between o and f; d never decreases
 ///     (K o)^2 = sigma_c^2 + (tau_c^2 - sigma_c^2) B^eta,    f = 2 (G_n + (G_s - G_n) B^eta)/(K o)
 ///
-/// The state variable is d, not the largest lambda. In a constant mode both are equivalent; in a changing mode d never
-/// decreases.
+/// The state variable is d, not the largest lambda. Both are equivalent in a constant mode; in a
+/// changing mode, d never decreases.
 ///
 /// With a viscosity, damage follows a retarded opening r in place of lambda: dr/dt = (lambda - r)/tau. A step dt uses
 /// the implicit update r = r_0 + dt/(dt + tau) (lambda - r_0).

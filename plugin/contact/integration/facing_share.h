@@ -5,12 +5,10 @@
 /// dominate the average gaps of the nodes on the edge. The weights of integration points are therefore multiplied by a
 /// share that depends on c:
 ///
-/// - The share is 1 from c = 1/sqrt(3) on. At least one face of a body with right-angled corners has this c, however
-/// the body rests on a plane. A cube that rests on its corner has it on three faces.
-///
-/// - The share is 0 up to c = 1/2, where a side leans by 30 degrees, that is 0.58 of its length. The sides of a soft
-/// block that is pressed to half its height lean by 0.4.
-///
+/// - The share is 1 from c = 1/sqrt(3) on. A body with right-angled corners that rests on a plane has at least
+///   one face with this c in any position. A cube on its corner has it on three faces.
+/// - The share is 0 up to c = 1/2, where a side leans by 30 degrees, that is 0.58 of its length. The sides of a
+///   soft block that is pressed to half its height lean by 0.4.
 /// - The share grows smoothly in between, and no angle makes a pair appear or disappear abruptly.
 ///
 /// n1 and n2 are the normals in the middle of the two facets: a pair has one share.
