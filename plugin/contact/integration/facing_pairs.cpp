@@ -40,8 +40,8 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
 
 void FacingPairs::search(const FacingPositions& x, const Reach& reach) {
   surface_size_ = half_diagonal(x.primary);
-  // Where surfaces have moved by rounding only, the overlaps of their facets are unchanged. The gaps have to be
-  // evaluated again, because a large penalty turns their rounding into loads.
+  // If surfaces have moved by rounding only, the overlaps of their facets are unchanged. The gaps have to be evaluated
+  // again, because a large penalty turns their rounding into loads.
   const bool has_overlaps = moves_points() && reach == reach_ && is_same_place(searched_at_.primary, x.primary) &&
                             is_same_place(searched_at_.secondary, x.secondary);
   if (has_overlaps) return evaluate_all(x);

@@ -64,8 +64,7 @@ constexpr double least_part_of_best = 0.6;
 /// alternating with the steps.
 constexpr double least_part_of_other = 0.75;
 
-/// For each primary facet the largest -n1.n2 with its secondary facets, and for each node that of the best facet around
-/// it.
+/// The largest -n1.n2 of each primary facet with its secondary facets, and that of the best facet around each node.
 struct Oppositions {
   VectorXd facets;
   VectorXd nodes;
