@@ -285,7 +285,7 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
 }
 
 void FEMixtureSurface::Serialize(DumpStream& ar) {
-  // This is output of the last accepted step, on which no step depends, or constant data.
+  // The stored data are output of the last accepted step, on which no step depends, or constants.
   if (ar.IsShallow()) return;
   FEBiphasicContactSurface::Serialize(ar);
   archive(ar, nodal_.gap);

@@ -38,8 +38,8 @@ struct EnforcementParameters {
 struct ToleranceParameters {
   Varying all{{2e-3}};  ///< <tolerance>: relative tolerance of all fields without a tolerance of their own [-]
   Varying traction;     ///< <traction_tolerance> [-]
-  Varying solvent;      ///< solvent_tolerance> [-].
-  Varying solute;       ///< solute_tolerance> [-].
+  Varying solvent;      ///< <solvent_tolerance> [-]
+  Varying solute;       ///< <solute_tolerance> [-]
   Varying gaptol;       ///< largest gap [length]
   Varying ptol;         ///< largest jump of the pressure [pressure]
   Varying ctol;         ///< largest jump of a concentration [concentration]
@@ -199,7 +199,7 @@ struct ParameterTag {
   ParameterGroup group = ParameterGroup::old_models;
   Unit unit = Unit::none;
   const char* choices = nullptr;  ///< names of the values 0, 1, ..., each terminated by a zero character
-  bool* given = nullptr;          ///< set to true if the model contains the parameter; null if nobody needs to know
+  bool* given = nullptr;          ///< set to true if the model contains the parameter; null if not needed
   bool* varies = nullptr;  ///< set to true if a load curve changes the value; null if load curves are not allowed
 };
 

@@ -13,8 +13,8 @@
 /// step may converge in its first iteration. The tests are as strict as in any later iteration.
 ///
 /// A predicted state is rejected if an element is inverted in it, or if its residual is larger than that of a start
-/// without prediction (free values unchanged, prescribed values at their new values). The state of the latter start is
-/// then restored.
+/// without prediction (free values unchanged, prescribed values at their new values). The state of the start without
+/// prediction is then restored.
 #pragma once
 
 #include "helper.h"

@@ -58,9 +58,9 @@ inline constexpr double unknown_reduction = 1;
 /// The convergence of the iteration for earlier right-hand sides.
 struct SeenSweeps {
   double reduction = unknown_reduction;
-  double tolerance = 0;  ///< relative error of x that is sufficient if the known reduction is relied on
+  double tolerance = 0;  ///< relative error of x up to which a single iteration is accepted
 
-  /// True if the single iteration by the caller is sufficient, with D x for the first x.
+  /// True if a single iteration reaches the tolerance with this reduction. split() then returns D x for its first x.
   bool are_enough() const { return reduction * reduction <= tolerance; }
 };
 

@@ -87,29 +87,29 @@ class ActiveSet {
   void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
   bool is_restricted() const { return restriction_.has_value(); }
 
-  /// The status from the true gaps, before any iteration.
+  /// The contact status from the true gaps, before any iteration.
   NodeFlags initial(const NodalGaps& now) const;
   /// True if the status of nodes may be predicted by solutions with the matrix. It is false with exchanged fields:
   /// their exchange may open a node that would close, or close one that would open, and both may be equilibria. It is
   /// false with self-contact, because a fold may face other facets at the end of an iteration, and with tension,
   /// because nodes that bear tension do not open.
   bool may_predict() const;
-  /// The status from the predicted loads of an iteration and the true gaps. `doubt`: error of the predicted tractions;
-  /// smaller tractions do not change a status [MPa].
+  /// The contact status from the predicted loads of an iteration and the true gaps. `doubt`: error of the predicted
+  /// tractions; smaller tractions do not change a status [MPa].
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
   /// The nodes in contact at the start of an iteration that open in it. `tractions`: at the end of the iteration if the
   /// nodes stayed in contact [MPa]; NaN for open nodes and unknown tractions, which do not open. `opened`: nodes
   /// assumed open for these tractions. Nodes whose status keeps changing do not open: they are at the edge of contact,
   /// and the next iteration decides.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
-  /// The status at another state within a step, from the loads of the last state: nodes that face nothing open, and
-  /// nodes that overlap close.
+  /// The contact status at another state within a step, from the loads of the last state: nodes that face nothing open,
+  /// and nodes that overlap close.
   ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;
 
   /// Resets all counts of changes, at the start of iterations.
   void start_counting();
-  /// The status of the next iteration: `updated`, except for nodes that cycle. `counts`: true if the status `before`
-  /// belongs to an iteration, so that changes are counted.
+  /// The contact status of the next iteration: `updated`, except for nodes that cycle. `counts`: true if the status
+  /// `before` belongs to an iteration, so that changes are counted.
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
   /// True if a solution has nodes at the edge of contact that have to be tried once more, because other nodes may have

@@ -33,7 +33,7 @@ struct TimingBreakdown {
   explicit TimingBreakdown(Index count = 0) : fields(VectorXd::Zero(count)) {}
   double total() const { return shared + traction + friction + fields.sum(); }
   /// The time to which the equations of a patch count: that of its field, else of the traction. A field beyond the
-  /// exchanged ones is the pressure that only friction reads, and counts to friction.
+  /// exchanged ones is the pressure that only friction reads; it counts as friction.
   double& of(const Patch& rows) {
     if (rows.fields.empty()) return traction;
     return rows.fields.front() < fields.size() ? fields[rows.fields.front()] : friction;
@@ -171,7 +171,8 @@ class TaskClock {
   TaskClock& operator=(TaskClock&&) = delete;
   ~TaskClock() { spent_.shared += watch_.lap() - (spent_.total() - before_); }
 
-  /// Calls a function of the host for the equations of a patch. Its time counts to their effect, and to the host.
+  /// Calls a function of the host for the equations of a patch. Its time is added to that of their effect and to that
+  /// of the host.
   template <class Call>
   void in_host(const Patch& rows, const Call& call) {
     Stopwatch watch;
@@ -180,7 +181,7 @@ class TaskClock {
     spent_.of(rows) += seconds;
     spent_.host += seconds;
   }
-  /// Calls a function of the host for all effects. Its time counts to the host.
+  /// Calls a function of the host for all effects. Its time is added to that of the host.
   template <class Call>
   void in_host(const Call& call) {
     Stopwatch watch;

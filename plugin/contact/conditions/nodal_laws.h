@@ -21,7 +21,7 @@ struct Multipliers {
   NodeFlags flux_coupled;
   /// lambda_T per node in the configuration at the start of the step [MPa]; empty without friction.
   Matrix3Xd friction;
-  NodeFlags slips;                    ///< nodes that slide with these friction multipliers
+  NodeFlags slips;                    ///< nodes that slide under the multipliers in `friction`
   double friction_penalty_scale = 1;  ///< factor on the tangential penalty from slow augmentations
 };
 

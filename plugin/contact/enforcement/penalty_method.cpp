@@ -91,7 +91,7 @@ void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& li
 LoadBlock PenaltyMethod::flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                       double dt) const {
   FluxLaw law = laws().scalar(field).flux(loads, node, laws().enforcing(field, node));
-  // Without other drivers, the variation is that of the field's jump.
+  // If no other field drives the flux, its variation is proportional to that of the field's jump.
   const double per_jump = law.d_jump[field] > 0 ? law.d_jump[field] : 1.0;
   law.d_jump /= per_jump;
   law.d_own /= per_jump;

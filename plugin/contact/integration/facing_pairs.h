@@ -104,13 +104,11 @@ class FacingPairs {
   const Effects& effects_;
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
-  /// Kinematics of the points of all pairs without moments.
-  IndexedVector<PointKinematics>
-      kinematics_;                   ///< of points of pairs that are not flat, with start values of the next search
-  IndexedVector<Index> first_kept_;  ///< per pair, index of its first point in `kinematics_`
-  IndexedVector<FlatPair> flat_;     ///< per pair; valid for pairs with moments only
-  std::optional<NodeFlags> restriction_;  ///< nodes of the primary surface to which the pairs are restricted
-  Reach reach_ = 0;                       ///< reach of the last search
+  IndexedVector<PointKinematics> kinematics_;  ///< kinematics of the points of all pairs without moments
+  IndexedVector<Index> first_kept_;            ///< per pair, index of its first point in `kinematics_`
+  IndexedVector<FlatPair> flat_;               ///< per pair; valid for pairs with moments only
+  std::optional<NodeFlags> restriction_;       ///< nodes of the primary surface to which the pairs are restricted
+  Reach reach_ = 0;                            ///< reach of the last search
   struct Positions {
     Matrix3Xd primary;
     Matrix3Xd secondary;

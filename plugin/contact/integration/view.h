@@ -10,8 +10,8 @@ namespace mixture_contact {
 using PlaneAxes = Eigen::Matrix<double, 2, 3>;
 
 /// A parallel projection along the normal at a point of a facet.
-struct View {       ///< the point of the facet
-  Vector3d origin;  ///< that place
+struct View {
+  Vector3d origin;  ///< the point of the facet
   /// Unit normal of the facet at the origin.
   Vector3d normal;
   /// Axes of the plane normal to it.

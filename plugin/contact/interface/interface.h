@@ -44,9 +44,9 @@ class ContactInterface {
   /// It takes effect with the next project(). Multipliers are kept.
   void exchange_traction(bool traction);
 
-  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() has to be called before at its
-  /// positions. Returns true if the loads at this state differ from those before the call, so that the residual has to
-  /// be evaluated again.
+  /// Begins a Newton iteration at a state, for whose positions project() has been called (see
+  /// ContactPass::begin_iteration). Returns true if the loads at this state differ from those before the call, so that
+  /// the residual has to be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
   /// Moves the linearisation point of an iteration to another state (see ContactPass::linearise_at), after project().
   void linearise_at(const PerSide<SurfaceFields>& fields);

@@ -75,7 +75,7 @@ struct InterfaceOutput {
   Balance balance;
   PerSide<NodalOutput> nodes;
 };
-/// The output at a state; project() has to be called before at its positions.
+/// The output at a state, for whose positions project() has been called.
 InterfaceOutput output(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

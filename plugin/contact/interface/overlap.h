@@ -11,7 +11,7 @@ struct Overlap {
   double share = 0;  ///< largest overlap, relative to the longest edge of the facets around its node [-]
 };
 
-/// The overlap at a state; project() has to be called before at its positions.
+/// The overlap at a state, for whose positions project() has been called.
 Overlap largest_overlap(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

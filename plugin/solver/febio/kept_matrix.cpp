@@ -78,7 +78,7 @@ void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixPart
 
 bool KeptMatrix::follow() {
   if (number_ == system_.matrices()) return false;
-  request(false);  // FEBio has not met the request, because it assembles matrices after augmentations in any case
+  request(false);  // FEBio did not use the request for its matrix after an augmentation
   begin();
   return true;
 }
