@@ -47,23 +47,23 @@ struct ToleranceParameters {
 
 /// Penalties: factors on the automatic penalties, or values without auto_penalty.
 struct PenaltyParameters {
-  Varying traction{{1}};  ///< <penalty>
-  Varying solvent{{1}};   ///< <pressure_penalty>
-  Varying solute{{1}};    ///< <concentration_penalty>
+  Varying traction{{1}};  ///< <penalty>: penalty of the traction
+  Varying solvent{{1}};   ///< <pressure_penalty>: penalty of the solvent flux
+  Varying solute{{1}};    ///< <concentration_penalty>: penalty of solute fluxes
   bool auto_penalty = false;
   bool update_penalty = false;
 };
 
 /// Parameters of the integration over the primary surface.
 struct IntegrationParameters {
-  Given<int> rule;  ///< <integration>; 0: gauss, 1: segments
-  int order = 0;    ///< <integration_order>
+  Given<int> rule;  ///< <integration>: 0 for gauss, 1 for segments
+  int order = 0;    ///< <integration_order>: order of the quadrature rule; 0: default
 };
 
 /// Parameters of the search for facing facets.
 struct SearchParameters {
-  Given<double> tolerance{0.01};  ///< <search_tol>
-  Given<double> radius;           ///< <search_radius> [length]
+  Given<double> tolerance{0.01};  ///< <search_tol>: see SearchRule::tolerance [-]
+  Given<double> radius;           ///< <search_radius>: see SearchRule::radius [length]
   /// Accepted for models of FEBio's interfaces, without effect.
   int seg_up = 0;
 };
@@ -84,7 +84,7 @@ struct GapParameters {
 /// Parameters of the nodes out of contact.
 struct AmbientParameters {
   bool free_draining = true;  ///< true: open nodes have the ambient values
-  double pressure = 0;        ///< <ambient_pressure>
+  double pressure = 0;        ///< <ambient_pressure> [pressure]
 };
 
 /// Parameters of friction.
@@ -96,9 +96,9 @@ struct FrictionParameters {
 
 /// A membrane between the surfaces. Fields without a coefficient cross freely.
 struct MembraneParameters {
-  Varying conductance;                  ///< <hydraulic_conductance> [length^3/(force time)]
-  std::vector<SoluteValue> permeance;   ///< <solute_permeance> [length/time]
-  std::vector<SoluteValue> reflection;  ///< <reflection> [-]
+  Varying conductance;                  ///< <hydraulic_conductance> L_p [length^3/(force time)]
+  std::vector<SoluteValue> permeance;   ///< <solute_permeance> P_k [length/time]
+  std::vector<SoluteValue> reflection;  ///< <reflection> sigma_k [-]
   double thermal_energy = 0;            ///< R T of the model [pressure/concentration]
 };
 

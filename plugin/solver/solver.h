@@ -59,7 +59,7 @@ class Solver {
   /// True if the present step is solved by Newton's method; otherwise no other function may be called.
   virtual bool is_newton() const = 0;
 
-  // Nodal values.
+  // Access to the nodal values of the model.
   virtual int nodes() const = 0;
   /// The dofs of each variable: displacement, pressure, each concentration.
   virtual std::vector<std::vector<int>> variables() const = 0;
@@ -76,7 +76,7 @@ class Solver {
   /// The nodal value at the end of the last step.
   virtual double previous_value(Place place) const = 0;
 
-  // The solver.
+  // Access to the solver.
   virtual Vectors vectors() = 0;
   /// Adds an increment to the change of the step, and evaluates the model at the new state. Throws InvertedElement.
   virtual void update(std::vector<double>& increment) = 0;
@@ -97,13 +97,13 @@ class Solver {
   struct ResidualSquares {
     double now = 0;
     double first = 0;
-    double* least = nullptr;  ///< [N^2]
+    double* least = nullptr;  ///< squared norm below which the residual is accepted [N^2]
   };
   virtual ResidualSquares residual_squares() = 0;
   /// The number of iterations of the last step.
   virtual int iterations() const = 0;
 
-  // The model.
+  // Access to the other data of the model.
   /// True if the state consists of nodal values only, and the loads are known before a step.
   virtual bool is_predictable() const = 0;
   virtual double time_increment() const = 0;

@@ -21,7 +21,7 @@ struct MatrixBlock {
   Eigen::MatrixXd values;    ///< shape (rows, columns)
 };
 
-/// The part D of a matrix, as blocks that may overlap.
+/// A part D of a matrix that is not factorised, as the sum of blocks, which may overlap.
 class MatrixPart {
  public:
   void clear() { blocks_.clear(); }

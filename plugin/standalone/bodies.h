@@ -37,8 +37,8 @@ class Bodies {
   struct Average {
     double pressure = 0;             ///< actual pressure [MPa]
     double concentration = 0;        ///< actual concentration c = kappa~ c~ [mM]
-    Vector3d solvent_flux{0, 0, 0};  ///< [mm/s]
-    Vector3d solute_flux{0, 0, 0};   ///< [nmol/(mm^2 s)]
+    Vector3d solvent_flux{0, 0, 0};  ///< solvent flux w [mm/s]
+    Vector3d solute_flux{0, 0, 0};   ///< solute flux j [nmol/(mm^2 s)]
   };
   /// The averages at these nodal values.
   Average average(std::size_t e, const MatrixXd& values) const;

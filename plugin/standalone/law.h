@@ -20,8 +20,8 @@ using PointFields = Eigen::Matrix<T, 4, max_fields>;
 
 /// The state of a point at the end of the last time step.
 struct PointHistory {
-  double volume_ratio = 1;  ///< J
-  double content = 0;       ///< J phi_w kappa~ c~ [nmol/mm^3]
+  double volume_ratio = 1;  ///< volume ratio J
+  double content = 0;       ///< content of solute J phi_w kappa~ c~ [nmol/mm^3]
 };
 
 /// The state of a mixture at a point. A material without pores has no fluxes; one without solute has no solute flux and
@@ -30,12 +30,12 @@ template <class T>
 struct PointState {
   using Vector = Eigen::Matrix<T, 3, 1>;
 
-  Eigen::Matrix<T, 3, 3> deformation;    ///< F
-  Eigen::Matrix<T, 3, 3> cofactor;       ///< J F^-T
-  T volume_ratio{};                      ///< J
+  Eigen::Matrix<T, 3, 3> deformation;    ///< deformation gradient F
+  Eigen::Matrix<T, 3, 3> cofactor;       ///< cofactor J F^-T
+  T volume_ratio{};                      ///< volume ratio J
   Eigen::Matrix<T, 3, 3> stress;         ///< first Piola-Kirchhoff stress of the mixture [MPa]
   T pressure{};                          ///< p = p~ + R T Phi c [MPa]
-  T content{};                           ///< J phi_w kappa~ c~ [nmol/mm^3]
+  T content{};                           ///< content of solute J phi_w kappa~ c~ [nmol/mm^3]
   Vector solvent_flux = Vector::Zero();  ///< w in the current configuration [mm/s]
   Vector solute_flux = Vector::Zero();   ///< j in the current configuration [nmol/(mm^2 s)]
 };

@@ -70,7 +70,7 @@ struct Material {
   double modulus = 0;         ///< Young's modulus at small strain [MPa]
   double poisson = 0;         ///< Poisson's ratio [-]
   double solid_fraction = 0;  ///< phi_s in the reference configuration [-]
-  double permeability = 0;    ///< k [mm^4/(N s)]
+  double permeability = 0;    ///< hydraulic permeability k [mm^4/(N s)]
   double osmotic = 1;         ///< osmotic coefficient Phi [-]
   std::optional<Solute> solute;
 
@@ -125,8 +125,8 @@ struct SurfaceLoad {
 struct StepControl {
   int max_retries = 5;
   int optimal_iterations = 11;
-  double least = 0;      ///< dtmin [s]
-  double largest = 0.1;  ///< dtmax [s], unless a must-point curve gives it
+  double least = 0;      ///< smallest time step dtmin [s]
+  double largest = 0.1;  ///< largest time step dtmax [s], unless a must-point curve gives it
   /// Index of the load curve whose points must be met and whose values are the largest step; -1: none.
   int must_points = -1;
   double cutback = 0.5;
@@ -155,7 +155,7 @@ struct ContactDefinition {
   std::string name;
   mixture_contact::PerSide<std::string> surfaces;
   ContactParameters parameters;
-  Parameter ambient_pressure;                      ///< p* [MPa]
+  Parameter ambient_pressure;                      ///< ambient pressure p* [MPa]
   std::map<int, Parameter> ambient_concentration;  ///< c* per solute index [mM]
 };
 

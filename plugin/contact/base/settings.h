@@ -42,7 +42,7 @@ struct ReducedPenalty {
 
 /// Coefficients of a membrane for one solute.
 struct SoluteFilm {
-  double permeance = 0;   ///< P_k [mm/s]
+  double permeance = 0;   ///< permeance P_k [mm/s]
   double reflection = 1;  ///< sigma_k: fraction of the solute that the membrane retains in convection, from 0 to 1 [-]
 
   friend bool operator==(const SoluteFilm& a, const SoluteFilm& b) {
@@ -55,7 +55,7 @@ struct SoluteFilm {
 struct MembraneRule {
   std::optional<double> conductance;  ///< L_p: hydraulic conductance [mm^3/(N s)]
   std::map<int, SoluteFilm> solutes;  ///< coefficients by the host's solute ids
-  double thermal_energy = 0;          ///< R T [MPa/mM]
+  double thermal_energy = 0;          ///< thermal energy R T [MPa/mM]
 
   friend bool operator==(const MembraneRule& a, const MembraneRule& b) {
     return a.conductance == b.conductance && a.solutes == b.solutes && a.thermal_energy == b.thermal_energy;
@@ -64,9 +64,9 @@ struct MembraneRule {
 
 /// Friction: |t_T| <= mu <|t_n| - (1 - phi) (p - p*)>.
 struct FrictionRule {
-  double coefficient = 0;       ///< mu [-]
+  double coefficient = 0;       ///< coefficient of friction mu [-]
   double contact_fraction = 0;  ///< phi: fraction of the area where solid touches solid, from 0 to 1 [-]
-  double ambient_pressure = 0;  ///< p* [MPa]
+  double ambient_pressure = 0;  ///< ambient pressure p* [MPa]
   double penalty_factor = 0.1;  ///< tangential penalty divided by the traction penalty [-]; see friction_factor()
 
   friend bool operator==(const FrictionRule& a, const FrictionRule& b) {

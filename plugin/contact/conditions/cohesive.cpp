@@ -17,10 +17,10 @@ BondGradient stacked(const Vector3d& gap, const Vector3d& normal) { return (Bond
 /// The opening of a bond: D_n, lambda and B with their derivatives.
 struct Opening {
   double compression = 0;    ///< min(0, D_n) [mm]
-  BondGradient d_normal;     ///< dD_n
+  BondGradient d_normal;     ///< derivative of D_n
   BondGradient half_square;  ///< d(lambda^2/2)
-  double size = 0;           ///< lambda [mm]
-  Derived mode;              ///< B [-]
+  double size = 0;           ///< opening lambda [mm]
+  Derived mode;              ///< mode B [-]
 };
 
 Opening opening_of(const Vector3d& gap, const Vector3d& normal) {

@@ -37,7 +37,7 @@ using BondHessian = Eigen::Matrix<double, 6, 6>;
 /// The loads of a bond and its damage.
 struct BondLoad {
   BondGradient value;      ///< d psi/dD, the traction on the primary surface [MPa], then d psi/dn [N/mm]
-  BondHessian derivative;  ///< derivative of these loads; symmetric unless damage grows in a changing mode
+  BondHessian derivative;  ///< derivative of `value`; symmetric unless damage grows in a changing mode
   double damage = 0;       ///< d, at least the damage of the accepted state
 };
 

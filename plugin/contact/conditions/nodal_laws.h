@@ -27,7 +27,7 @@ struct Multipliers {
 
 /// A node's trial friction with the vectors from which it is formed.
 struct FrictionTrial {
-  Vector3d normal;   ///< n_a
+  Vector3d normal;   ///< mean normal n_a
   Vector3d past;     ///< lambda_T - eps_T s_a, in the configuration at the start of the step
   Vector3d carried;  ///< F_a (lambda_T - eps_T s_a)
   Vector3d value;    ///< tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)

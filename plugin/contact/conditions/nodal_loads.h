@@ -8,7 +8,7 @@ namespace mixture_contact {
 /// Averages of the gap around nodes: g_a = INT psi_a g da / INT psi_a da.
 struct NodalGaps {
   VectorXd area;      ///< tributary area INT psi_a da over the points that face the other surface [mm^2]
-  VectorXd gap;       ///< g_a [mm]
+  VectorXd gap;       ///< average gap g_a [mm]
   double size = 0;    ///< size of the surface, to which the rounding of gaps is proportional [mm]
   double offset = 0;  ///< distance of the surfaces at which the gap g_a is zero [mm]
 
@@ -38,16 +38,16 @@ struct FrictionStatus {
 ///
 /// The slip s_a refers to the configuration at the start of the step; F_a maps it to the present tangent plane.
 struct NodalFriction {
-  Matrix3Xd slip;                             ///< s_a [mm]
+  Matrix3Xd slip;                             ///< average slip s_a [mm]
   Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da
   VectorXd pressure;                          ///< p~ - p* [MPa]; empty if friction does not depend on it
-  IndexedVector<Eigen::Matrix3d> convection;  ///< F_a
-  Matrix3Xd trial;                            ///< tau_a [MPa]
+  IndexedVector<Eigen::Matrix3d> convection;  ///< deformation F_a of the surface since the start of the step
+  Matrix3Xd trial;                            ///< trial friction tau_a [MPa]
   Matrix3Xd reference;                        ///< tau_a at the start of the iteration; empty outside iterations
   VectorXd reference_bound;                   ///< T_max at the start of the iteration
   Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty outside iterations
-  VectorXd bound;       ///< T_max [MPa]
-  Matrix3Xd traction;   ///< t_T [MPa]; 0 out of contact
+  VectorXd bound;       ///< friction bound T_max [MPa]
+  Matrix3Xd traction;   ///< friction traction t_T [MPa]; 0 out of contact
 
   bool empty() const { return slip.size() == 0; }
   /// The trial at the start of the iteration; outside iterations the present trial.
@@ -67,7 +67,7 @@ struct NodalFriction {
 /// of them has nodes. On non-matching meshes, conditions at more points contradict each other, and some points open and
 /// close alternately.
 struct NodalLoads : NodalGaps, ContactStatus {
-  VectorXd traction;   ///< t_a [MPa]; 0 out of contact
+  VectorXd traction;   ///< normal traction t_a [MPa]; 0 out of contact
   MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points at which both sides have the field [mm^2]
   MatrixXd jump;       ///< (fields, nodes): average jump, primary minus secondary side
   MatrixXd flux;       ///< (fields, nodes): flux from the primary to the secondary body; 0 out of contact

@@ -9,8 +9,8 @@ namespace mixture_contact {
 
 /// The multiplier and penalty that enforce a condition at a node.
 struct Enforcing {
-  double multiplier = 0;  ///< lambda
-  double penalty = 0;     ///< eps
+  double multiplier = 0;  ///< multiplier lambda
+  double penalty = 0;     ///< penalty eps
 };
 
 /// A flux from the primary to the secondary body, with its derivatives.

@@ -38,7 +38,7 @@ struct FlatPair {
   Vector3d gap{0, 0, 0};          ///< per primary node c: sum w psi_c g
   Vector3d area_vector{0, 0, 0};  ///< a = x1,1 x x1,2
   Vector3d normal{0, 0, 0};       ///< n1 = a/|a|
-  double area = 0;                ///< |a|
+  double area = 0;                ///< area element |a|
 
   /// Sum of the weights of each primary node c: sum w psi_c.
   Vector3d weight() const { return moments.primary.rowwise().sum(); }
@@ -93,7 +93,7 @@ FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux);
 struct FlatSums {
   Vector3d primary;    ///< S1_b = sum w l N1_b
   Vector3d secondary;  ///< S2_b = sum w l N2_b
-  Vector3d normal;     ///< n1
+  Vector3d normal;     ///< unit normal n1
   // dS2_b = p_b.(sum_c S1_c dx1_c - sum_c S2_c dx2_c) - sum_c t_bc n1.dx1_c
   Eigen::Matrix3d with_place;  ///< columns p_b = N2_b,beta T_beta
   Eigen::Matrix3d with_tilt;   ///< t_bc = N2_b,beta k_c,beta sum w l g
@@ -108,7 +108,7 @@ struct FlatSums {
 /// node and -S2_b |a| at a secondary node.
 struct FlatFlows {
   FlatSums fluxes;            ///< sums of the fluxes
-  double area;                ///< |a|
+  double area;                ///< area element |a|
   Eigen::Matrix3d with_area;  ///< columns m_b of FlatVariations::area
 };
 
@@ -129,7 +129,7 @@ Eigen::Matrix<double, 6, 18> flux_tangent(const FlatFlows& flows);
 /// primary node and -S2_b a at a secondary node.
 struct FlatForces {
   FlatSums tractions;           ///< sums of the normal tractions
-  Vector3d area_vector;         ///< a
+  Vector3d area_vector;         ///< area vector a
   Eigen::Matrix3d with_normal;  ///< columns w_b of FlatVariations::area_vector
 };
 

@@ -11,16 +11,16 @@ namespace mixture_contact {
 /// The area vector a = x1,1 x x1,2 carries both the normal n1 = a/|a| and the area element da1 = |a| dxi. The projected
 /// point satisfies x2(eta) - x1 = g n1 with the gap g.
 struct PointKinematics {
-  FacetVector primary_shape;                       ///< N1_a(xi)
-  FacetGradient primary_gradient;                  ///< N1_a,alpha(xi)
-  FacetVector secondary_shape;                     ///< N2_b(eta)
-  FacetGradient secondary_gradient;                ///< N2_b,beta(eta)
-  Eigen::Matrix<double, 3, 2> primary_tangents;    ///< x1,alpha
-  Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< x2,beta
-  Vector3d area_vector;                            ///< a
-  Vector3d normal;                                 ///< n1
-  double area = 0;                                 ///< |a|
-  double gap = 0;                                  ///< g = (x2 - x1).n1, negative where the bodies overlap
+  FacetVector primary_shape;                       ///< shape functions N1_a(xi)
+  FacetGradient primary_gradient;                  ///< gradients N1_a,alpha(xi)
+  FacetVector secondary_shape;                     ///< shape functions N2_b(eta)
+  FacetGradient secondary_gradient;                ///< gradients N2_b,beta(eta)
+  Eigen::Matrix<double, 3, 2> primary_tangents;    ///< tangents x1,alpha
+  Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< tangents x2,beta
+  Vector3d area_vector;                            ///< area vector a
+  Vector3d normal;                                 ///< unit normal n1
+  double area = 0;                                 ///< area element |a|
+  double gap = 0;                                  ///< gap g = (x2 - x1).n1, negative where the bodies overlap
 
   Index primary_nodes() const { return primary_shape.size(); }
   Index nodes() const { return primary_shape.size() + secondary_shape.size(); }
@@ -60,10 +60,10 @@ Eigen::Matrix<double, 3, 2> area_vector_slope(const Eigen::Matrix<double, 3, 2>&
 
 /// First variations of a point's kinematics with the nodal positions of both facets, three columns per node.
 struct KinematicVariations {
-  PairVariation<1> gap;          ///< dg
+  PairVariation<1> gap;          ///< variation dg of the gap
   PairVariation<2> eta;          ///< d eta_beta: motion of the projected point on the secondary facet
-  PairVariation<3> area_vector;  ///< da
-  PairVariation<1> area;         ///< d|a|
+  PairVariation<3> area_vector;  ///< variation da of the area vector
+  PairVariation<1> area;         ///< variation d|a| of the area element
   PairVariation<2> xi;           ///< d xi_alpha: motion of the point on the primary facet; empty for a fixed point
   PairVariation<1> weight;       ///< d(weight)/weight; empty for a fixed point
 

@@ -8,10 +8,10 @@ namespace mixture_contact {
 
 /// The positions X1(xi) and X2(eta) at the start of the time step of two points that face each other now.
 struct PastPoint {
-  Vector3d distance;                               ///< D = X2 - X1
+  Vector3d distance;                               ///< distance D = X2 - X1 of the points
   Vector3d normal;                                 ///< N1, unit normal of the primary facet at xi
-  Eigen::Matrix<double, 3, 2> primary_tangents;    ///< X1,alpha
-  Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< X2,beta
+  Eigen::Matrix<double, 3, 2> primary_tangents;    ///< tangents X1,alpha
+  Eigen::Matrix<double, 3, 2> secondary_tangents;  ///< tangents X2,beta
 };
 
 /// The positions at the start of the time step. `point`: the present kinematics, of which the shape functions are used.
@@ -42,7 +42,7 @@ Eigen::Matrix<double, 3, 2> slip_slope_with_xi(const PastPoint& past, const Eige
 /// surface, and its normal component is dropped.
 struct Convection {
   FacetCoordinates coefficients;  ///< C_b, one column per node: F = sum_b x_b C_b^T, linear in present positions x_b
-  double area;                    ///< |X,1 x X,2| at the node
+  double area;                    ///< area element |X,1 x X,2| at the node
 };
 
 /// The deformation gradient at a corner of a facet. `past`: nodal positions at the start of the step [mm]. Zero if the

@@ -43,7 +43,7 @@ struct SurfaceFields {
   /// reads, if any (Effects::nodal_fields).
   MatrixXd scalar;
 
-  std::size_t memory() const;  ///< [bytes]
+  std::size_t memory() const;  ///< memory of the values [bytes]
 };
 
 /// Positions, or positions and fields, of the primary and secondary surface of a pass.

@@ -187,9 +187,9 @@ class GaussPoints : public PointFinder {
   Visibility visibility_;
   bool has_shares_ = false;  ///< true if a pair of the last search has a share below 1
   IndexedVector<Point> points_;
-  IndexedVector<ProjectionHistory> histories_;  ///< per point
+  IndexedVector<ProjectionHistory> histories_;  ///< history of each point
   MovingSurface moving_;                        ///< the secondary surface
-  IndexedVector<RayNeighbours> neighbours_;     ///< per point
+  IndexedVector<RayNeighbours> neighbours_;     ///< facets near the ray of each point
 };
 
 }  // namespace mixture_contact

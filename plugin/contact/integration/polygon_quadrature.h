@@ -27,7 +27,7 @@ struct Alignment {
   FacetType type = FacetType::quad4;
   Place<Number>
       first;  ///< first of two axes: in their coordinates the triangle is equilateral, or the parallelogram is a square
-  Place<Number> second;  ///< second axis
+  Place<Number> second;  ///< second of the two axes
 };
 
 /// The alignment with the sides of a polygon of three or four corners.

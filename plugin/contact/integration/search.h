@@ -161,7 +161,7 @@ class MovingSurface {
   /// Positions of the nodes in the reference configuration.
   Matrix3Xd reference_;
   std::optional<FacetTree> tree_;  ///< tree of the reference configuration
-  double slack_ = 0;               ///< slack s [length]
+  double slack_ = 0;               ///< slack s: largest motion without a new reference configuration [length]
   int references_ = 0;             ///< number of reference configurations so far
 };
 

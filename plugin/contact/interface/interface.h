@@ -126,7 +126,7 @@ class ContactInterface {
   /// All data that are kept between time steps, for the host to store and restore.
   struct State {
     std::vector<int> check_nodes;          ///< secondary nodes to which a second pass is restricted, ascending
-    std::vector<Multipliers> multipliers;  ///< per pass
+    std::vector<Multipliers> multipliers;  ///< multipliers per pass
     PerSide<Matrix3Xd> slips_from;         ///< positions from which slips are measured; empty without friction
     std::vector<LoadCarriers> carriers;    ///< load carriers per pass, on which those of the next step depend
   };

@@ -31,7 +31,7 @@ struct FrictionOutput {
   Matrix3Xd traction;  ///< friction on this surface [MPa]
   /// Slip of this surface relative to the other since the start of the step, in the present tangent plane [mm].
   Matrix3Xd slip;
-  VectorXd bound;   ///< T_max [MPa]
+  VectorXd bound;   ///< friction bound T_max [MPa]
   VectorXd fluid;   ///< p~ - p*, the load that the fluid bears [MPa]
   VectorXd status;  ///< a value of Sliding for each node
 };
@@ -43,7 +43,7 @@ inline Sliding status_of(const FrictionOutput& friction, Index node) {
 
 /// The state of the bonds at the nodes of a surface; empty if they cannot break.
 struct BreakingOutput {
-  VectorXd damage;     ///< [-]
+  VectorXd damage;     ///< damage d [-]
   VectorXd opening;    ///< distance of the tied points [mm]
   VectorXd energy;     ///< energy dissipated by damage [mJ/mm^2]
   VectorXd broken_at;  ///< time at which the last bond of the node broke [s]; negative if a bond is not broken
@@ -51,8 +51,8 @@ struct BreakingOutput {
 
 /// Values for output at the nodes of a surface, averaged over the points in contact around each node.
 struct NodalOutput {
-  VectorXd gap;             ///< [mm]
-  VectorXd pressure;        ///< -t_n [MPa]
+  VectorXd gap;             ///< average gap [mm]
+  VectorXd pressure;        ///< contact pressure -t_n [MPa]
   MatrixXd flux;            ///< (fields, nodes): flux out of the body of this surface
   MatrixXd jump;            ///< (fields, nodes): jump, this side minus the other side
   VectorXd tributary_area;  ///< area in contact that belongs to the node [mm^2]

@@ -26,10 +26,9 @@ class BoundaryWeights {
   /// Keeps a reference to the facets.
   explicit BoundaryWeights(const IndexedVector<Facet>& facets) : facets_(facets) {}
 
-  /// Discards the present decisions. New decisions depend on the last ones that counted.
+  /// Discards the present decisions such that they are made again from the last accepted ones.
   void reconsider() { carriers_.clear(); }
-  /// Accepts the present decisions as the last ones, on which later decisions depend, and discards them for the next
-  /// step.
+  /// Accepts the present decisions at the end of a step. Later decisions start from the accepted ones.
   void settle();
   /// True if it has been decided which nodes of a facet carry load.
   bool knows(int facet) const { return is_known(carriers_, facet); }
@@ -37,9 +36,9 @@ class BoundaryWeights {
   /// surface. `all`: INT psi_a da over the whole facet.
   void decide(int facet, const FacetGapSums& covered, const FacetVector& all);
 
-  /// The last decisions, on which later decisions depend; empty if there are none.
+  /// The present decisions; if there are none, the last accepted ones, which may be empty.
   const LoadCarriers& last_decisions() const { return carriers_.empty() ? settled_ : carriers_; }
-  /// Sets the last decisions, for example those of a restarted run.
+  /// Sets the last accepted decisions, for example those of a restarted run.
   void restore(LoadCarriers decisions);
 
   /// The functions psi_a of a facet at the point xi, which weight averages and interpolate loads. They are those of
@@ -65,7 +64,7 @@ class BoundaryWeights {
   const IndexedVector<Facet>& facets_;
   /// The present decisions; empty if none has been made.
   LoadCarriers carriers_;
-  LoadCarriers settled_;  ///< the last decisions, of the step before
+  LoadCarriers settled_;  ///< the last accepted decisions; empty if there are none
 };
 
 }  // namespace mixture_contact

@@ -155,7 +155,7 @@ struct CornerPoint {
   Index number;  ///< of the point in its pair
   Index corner;
   int node;
-  double share;              ///< w psi_a
+  double share;              ///< weight w psi_a
   Eigen::RowVector2d slope;  ///< w psi_a,alpha
 
   /// Variation w psi_a,alpha dxi_alpha, for a point that moves on its facet.
@@ -227,9 +227,9 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
 /// The quantities of a point on which friction depends, the same for all nodes of its facet. The averages around node a
 /// are sums of w psi_a y over the points, y = (|a| r, a), divided by the area A_a.
 struct SlidingPoint {
-  Eigen::Matrix<double, 6, 1> value;    ///< y
+  Eigen::Matrix<double, 6, 1> value;    ///< value of y
   PairVariation<6> variation;           ///< dy + y dw/w
-  PairVector work;                      ///< |a| h
+  PairVector work;                      ///< work |a| h of the nodes
   Index turning = 0;                    ///< as NodeLinearisation::Friction::turning, for the nodes of the pair
   double pressure = 0;                  ///< |a| (p~ - p*); without fluid, the next two members are empty
   PairVariation<1> pressure_variation;  ///< variation of |a| (p~ - p*) at fixed nodal values, plus |a| (p~ - p*) dw/w

@@ -16,7 +16,7 @@ struct PointLoads {
   Vector2d traction_slope{0.0, 0.0};               ///< dt_n/dxi_alpha; used if the point moves on the primary facet
   Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< per exchanged field: flux q_n and dq_n/djump
   Eigen::MatrixX2d flux_slope;  ///< dq_n/dxi_alpha per exchanged field; empty if the point does not move
-  Vector3d friction{0, 0, 0};   ///< t_T [MPa]
+  Vector3d friction{0, 0, 0};   ///< friction traction t_T [MPa]
   Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();  ///< dt_T/dxi_alpha where the point
                                                                                      ///< moves over the primary facet
   double weight = 0;          ///< quadrature weight: da1 = weight * |a|

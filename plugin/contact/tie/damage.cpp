@@ -11,7 +11,7 @@ namespace {
 struct Advance {
   double damage = 0;
   Dissipated energy;
-  double opening = 0;  ///< [mm]
+  double opening = 0;  ///< opening lambda [mm]
 };
 
 Advance advance(const Unbreakable& /*law*/, const Tie& /*tie*/, Index /*n*/, const TieLoads& /*loads*/,

@@ -13,7 +13,7 @@ using Eigen::Matrix3d;
 /// A mean normal over points on primary facets: n = a/|a| with the sum a of the area vectors x,1 x x,2 at the points.
 struct NormalAt {
   Vector3d normal;
-  double length = 0;               ///< |a|
+  double length = 0;               ///< length |a| of the area vector
   IndexedVector<Index> nodes;      ///< positions of the facets' nodes in TiedNode::primary, facet by facet
   IndexedVector<Matrix3d> d_area;  ///< da/dx for each entry of `nodes`
 

@@ -13,7 +13,7 @@ namespace mixture_contact {
 
 /// Multipliers of the tied nodes, factors by which augmentations have increased the penalties, and damage.
 struct TieState {
-  Matrix3Xd traction;                 ///< lambda_a per tied node [MPa]
+  Matrix3Xd traction;                 ///< traction multiplier lambda_a per tied node [MPa]
   MatrixXd flux;                      ///< flux multiplier lambda per (field, tied node)
   double traction_penalty_scale = 1;  ///< factor of the traction penalties
   VectorXd flux_penalty_scale;        ///< factor of the flux penalties, per field
@@ -22,12 +22,12 @@ struct TieState {
 
 /// The gap vectors, jumps and loads of the tied nodes at a state; one column per tied node.
 struct TieLoads {
-  Matrix3Xd gap;       ///< D_a [mm]
-  Matrix3Xd traction;  ///< t_a on the primary surface [MPa]
+  Matrix3Xd gap;       ///< gap vectors D_a [mm]
+  Matrix3Xd traction;  ///< tractions t_a on the primary surface [MPa]
   MatrixXd jump;       ///< (fields, nodes): jump, primary minus secondary side
   MatrixXd flux;       ///< (fields, nodes): flux out of the primary body
   Matrix3Xd turning;   ///< d psi/dn of the cohesive law [N/mm]; no columns for other laws
-  VectorXd damage;     ///< d at this state [-]; empty where a tie cannot break
+  VectorXd damage;     ///< damage d at this state [-]; empty if the tie cannot break
 };
 
 /// Default penalties of a tie as multiples of the stiffness and of the conductance of the adjoining elements. A tie has

@@ -66,18 +66,18 @@ class KeptMatrix {
   void accept();
   /// Makes FEBio assemble a matrix before the next iteration, also after an augmentation.
   void force_next();
-  /// Ends a time step: restores FEBio's setting for matrices after augmentations, and resets the count of spent
-  /// matrices.
+  /// Ends a time step: restores FEBio's setting for matrices after augmentations, and resets the count of matrices
+  /// after which too much of the residual was left.
   void end_step();
 
   void serialize(DumpStream& ar);
 
  private:
-  /// Numbers of iterations with the matrix, and of spent matrices in the step.
+  /// The iterations with the matrix, and a count for the step.
   struct Served {
     int iterations = 0;  ///< number of iterations up to the last one that was corrected
     double left = 0;     ///< norm of the residual after the last iteration; 0 before any
-    int spent = 0;       ///< number of matrices in this step for which is_spent() was true
+    int spent = 0;       ///< number of matrices in this step for which is_spent() returned true
   };
   /// Properties of the model's matrices that have been found so far.
   struct Found {
@@ -93,13 +93,13 @@ class KeptMatrix {
   void prepare(const std::vector<Condition>& conditions, const MatrixParts& parts);
   /// Changes FEBio's right-hand side for the result of a splitting, and such that the next solution meets conditions.
   void finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions);
-  /// The solution for a right-hand side after row operations. If FEBio cannot solve, it is zero, and the matrix cannot
-  /// be corrected any more.
+  /// The solution for a right-hand side to which the row operations have been applied. If FEBio cannot solve, it is
+  /// zero, and the matrix cannot be corrected any more.
   std::vector<double> solution_of_changed(std::vector<double> changed);
-  /// The solution for a right-hand side before row operations.
+  /// The solution for a right-hand side to which the row operations have not been applied.
   std::vector<double> solution(const std::vector<double>& right);
-  /// The solution for a right-hand side before row operations. If row operations have caused inaccurate pivots, it
-  /// restores the rows of the matrix and solves again.
+  /// The solution for a right-hand side to which the row operations have not been applied. If row operations have
+  /// caused inaccurate pivots, it restores the rows of the matrix and solves again.
   std::vector<double> checked_solution(const std::vector<double>& right);
   /// Reverses the row operations of this matrix, allows none for later matrices, and logs this once.
   void undo_operations();
