@@ -29,7 +29,7 @@ struct UndecidedLoad {
 
 /// Properties of FEBio's matrix on which the assembly depends.
 struct MatrixForm {
-  bool is_constrained = false;  ///< linear constraints couple degrees of freedom of the model
+  bool is_constrained = false;  ///< true if linear constraints couple degrees of freedom of the model
   newton::DeviceSet devices;    ///< devices that may act on the matrix
   bool has(newton::Device device) const { return newton::has(devices, device); }
 };

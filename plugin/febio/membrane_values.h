@@ -16,7 +16,7 @@ class FEMixtureSolutePermeance : public FECoreClass {
   explicit FEMixtureSolutePermeance(FEModel* fem) : FECoreClass(fem) {}
 
   int solute = 0;    ///< id of the solute in the model file, from 1; 0 if not given
-  double value = 0;  ///< P [length/time]
+  double value = 0;  ///< permeance P [length/time]
 
   DECLARE_FECORE_CLASS()
   FECORE_BASE_CLASS(FEMixtureSolutePermeance)
@@ -29,7 +29,7 @@ class FEMixtureReflection : public FECoreClass {
   explicit FEMixtureReflection(FEModel* fem) : FECoreClass(fem) {}
 
   int solute = 0;    ///< id of the solute in the model file, from 1; 0 if not given
-  double value = 0;  ///< sigma [-]
+  double value = 0;  ///< reflection coefficient sigma [-]
 
   DECLARE_FECORE_CLASS()
   FECORE_BASE_CLASS(FEMixtureReflection)

@@ -131,7 +131,7 @@ void FEMixtureSurface::store_friction(FESurfaceElement& element) {
 }
 
 void FEMixtureSurface::turn_round() {
-  std::map<int, int> local;  // by the node's index in the mesh
+  std::map<int, int> local;  // number of each node on the surface, by its index in the mesh
   for (int i = 0; i < Nodes(); ++i) local[NodeIndex(i)] = i;
   Invert();
   for (int face = 0; face < Elements(); ++face) {

@@ -9,11 +9,11 @@
 
 /// The outcome of augment().
 struct Augmentation {
-  bool done = true;       ///< no further augmentation is needed or allowed
-  bool stiffens = false;  ///< penalties have grown; a matrix that the host keeps contains the smaller ones
+  bool done = true;       ///< true if no further augmentation is needed or allowed
+  bool stiffens = false;  ///< true if penalties have grown; a matrix that the host keeps contains the smaller ones
   /// Gaps with their tolerances, for the log; empty if the enforcement has no multipliers.
   std::vector<std::string> lines;
-  std::string warning;  ///< set if the maximum number has stopped the augmentations
+  std::string warning;  ///< warning for the log; set if the maximum number has stopped the augmentations
 };
 
 /// Compares the gaps of a solution with the tolerances, and calls `take_up` if they are larger. `take_up` has to set

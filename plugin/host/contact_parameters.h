@@ -37,9 +37,9 @@ struct EnforcementParameters {
 /// Parameters of the convergence of augmentations. An absolute tolerance is 0 if it is not used.
 struct ToleranceParameters {
   Varying all{{2e-3}};  ///< <tolerance>: relative tolerance of all fields without a tolerance of their own [-]
-  Varying traction;     ///< <traction_tolerance> [-]
-  Varying solvent;      ///< <solvent_tolerance> [-]
-  Varying solute;       ///< <solute_tolerance> [-]
+  Varying traction;     ///< <traction_tolerance>: relative tolerance of the traction [-]
+  Varying solvent;      ///< <solvent_tolerance>: relative tolerance of the solvent [-]
+  Varying solute;       ///< <solute_tolerance>: relative tolerance of solutes [-]
   Varying gaptol;       ///< largest gap [length]
   Varying ptol;         ///< largest jump of the pressure [pressure]
   Varying ctol;         ///< largest jump of a concentration [concentration]
@@ -96,10 +96,10 @@ struct FrictionParameters {
 
 /// A membrane between the surfaces. Fields without a coefficient cross freely.
 struct MembraneParameters {
-  Varying conductance;                  ///< <hydraulic_conductance> L_p [length^3/(force time)]
-  std::vector<SoluteValue> permeance;   ///< <solute_permeance> P_k [length/time]
-  std::vector<SoluteValue> reflection;  ///< <reflection> sigma_k [-]
-  double thermal_energy = 0;            ///< R T of the model [pressure/concentration]
+  Varying conductance;                  ///< <hydraulic_conductance>: hydraulic conductance L_p [length^3/(force time)]
+  std::vector<SoluteValue> permeance;   ///< <solute_permeance>: permeance P_k of each solute [length/time]
+  std::vector<SoluteValue> reflection;  ///< <reflection>: reflection coefficient sigma_k of each solute [-]
+  double thermal_energy = 0;            ///< thermal energy R T of the model [pressure/concentration]
 };
 
 /// Switches of the devices of the solver (solver/helper.h), which act on the whole model.

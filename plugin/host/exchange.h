@@ -36,8 +36,8 @@ void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
 /// Friction as the model requests it.
 struct FrictionRequest {
-  bool has_coefficient = false;  ///< the coefficient is not 0, or a load curve changes it
-  bool has_fluid = false;        ///< fluid pressure on either side bears a part of the load
+  bool has_coefficient = false;  ///< true if the coefficient of friction is not 0 or a load curve changes it
+  bool has_fluid = false;        ///< true if fluid pressure on either side bears a part of the load
 };
 
 /// Decides which effects a contact exchanges.

@@ -69,7 +69,7 @@ class Border {
   /// The vector K^-1 C of a condition, of length `size`.
   const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
 
-  /// K^-1 C by the keys of the conditions.
+  /// The columns K^-1 C, by the keys of the conditions.
   std::map<int, std::vector<double>> columns_;
   bool has_held_ = false;
 };

@@ -48,7 +48,7 @@ class Bodies {
 
  private:
   struct Point {
-    Eigen::Matrix4Xd shape;  ///< N_a and their reference gradients, shape (4, nodes)
+    Eigen::Matrix4Xd shape;  ///< shape functions N_a and their reference gradients, shape (4, nodes)
     double volume;           ///< quadrature weight times the Jacobian in the reference configuration [mm^3]
     /// State at the start of the time step.
     PointHistory last;
@@ -58,7 +58,7 @@ class Bodies {
   MatrixXd nodal_fields(std::size_t e, const MatrixXd& values) const;
 
   const Model& model_;
-  double gas_energy_;  ///< R T [mJ/nmol]
+  double gas_energy_;  ///< thermal energy R T [mJ/nmol]
   /// Integration points of each element.
   std::vector<std::vector<Point>> elements_;
 };

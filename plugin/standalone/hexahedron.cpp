@@ -14,7 +14,7 @@ constexpr std::array<std::array<int, 3>, 20> node_xi{{
     {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1},  // corners
     {0, -1, -1},  {1, 0, -1},  {0, 1, -1}, {-1, 0, -1},                                                  // lower edges
     {0, -1, 1},   {1, 0, 1},   {0, 1, 1},  {-1, 0, 1},                                                   // upper edges
-    {-1, -1, 0},  {1, -1, 0},  {1, 1, 0},  {-1, 1, 0},                                                   // between
+    {-1, -1, 0},  {1, -1, 0},  {1, 1, 0},  {-1, 1, 0},  // vertical edges
 }};
 
 /// A factor of a shape function in one coordinate, (1 + xi xi_a) or (1 - xi^2), and its derivative.

@@ -34,10 +34,10 @@ struct PointState {
   Eigen::Matrix<T, 3, 3> cofactor;       ///< cofactor J F^-T
   T volume_ratio{};                      ///< volume ratio J
   Eigen::Matrix<T, 3, 3> stress;         ///< first Piola-Kirchhoff stress of the mixture [MPa]
-  T pressure{};                          ///< p = p~ + R T Phi c [MPa]
+  T pressure{};                          ///< pressure p = p~ + R T Phi c [MPa]
   T content{};                           ///< content of solute J phi_w kappa~ c~ [nmol/mm^3]
-  Vector solvent_flux = Vector::Zero();  ///< w in the current configuration [mm/s]
-  Vector solute_flux = Vector::Zero();   ///< j in the current configuration [nmol/(mm^2 s)]
+  Vector solvent_flux = Vector::Zero();  ///< solvent flux w in the current configuration [mm/s]
+  Vector solute_flux = Vector::Zero();   ///< solute flux j in the current configuration [nmol/(mm^2 s)]
 };
 
 /// Computes the kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. `q`: fields at the point.

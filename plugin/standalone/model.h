@@ -69,7 +69,7 @@ struct Material {
   bool porous = false;
   double modulus = 0;         ///< Young's modulus at small strain [MPa]
   double poisson = 0;         ///< Poisson's ratio [-]
-  double solid_fraction = 0;  ///< phi_s in the reference configuration [-]
+  double solid_fraction = 0;  ///< volume fraction phi_s of the solid in the reference configuration [-]
   double permeability = 0;    ///< hydraulic permeability k [mm^4/(N s)]
   double osmotic = 1;         ///< osmotic coefficient Phi [-]
   std::optional<Solute> solute;
@@ -156,7 +156,7 @@ struct ContactDefinition {
   mixture_contact::PerSide<std::string> surfaces;
   ContactParameters parameters;
   Parameter ambient_pressure;                      ///< ambient pressure p* [MPa]
-  std::map<int, Parameter> ambient_concentration;  ///< c* per solute index [mM]
+  std::map<int, Parameter> ambient_concentration;  ///< ambient concentrations c* by solute index [mM]
 };
 
 /// All contacts of a model.
@@ -178,7 +178,7 @@ struct DataFile {
 struct Model {
   std::string file;
   Control control;
-  double gas_constant = 0;           ///< R [mJ/(nmol K)]
+  double gas_constant = 0;           ///< gas constant R [mJ/(nmol K)]
   double temperature = 0;            ///< temperature [K]
   std::vector<std::string> solutes;  ///< names of the solutes; empty for a solute without a name
   std::vector<Material> materials;

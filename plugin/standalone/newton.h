@@ -58,7 +58,7 @@ class Newton : private mixture_contact::SteppedModel {
   bool apply_ambient() override { return problem_.switch_ambient(); }
   bool replaces_matrix() override { return false; }
   void evaluate() override { steps_.evaluate(this); }
-  void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual
+  void evaluate_bodies_after_contacts() override {}  // bodies are evaluated with the residual
   void evaluate_residual();
   void evaluate_residual(mixture_contact::Changed what) override;
   void correct_residual() override { evaluate_residual(); }

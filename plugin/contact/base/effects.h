@@ -20,7 +20,7 @@ inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(
 /// The load to which the friction bound is proportional.
 enum class FrictionKind : std::uint8_t {
   none,
-  on_traction,  ///< the normal traction
+  on_traction,  ///< the whole normal traction
   /// The part of the normal traction that the solid bears; the fluid of both sides, or of the side that has one, bears
   /// the rest.
   on_solid_part
@@ -32,7 +32,7 @@ struct Effects {
   /// True if the surfaces exchange tractions; false if none of their nodes can move: the contact then has no
   /// displacement unknowns and is linear transport.
   bool traction = true;
-  bool solvent = false;      ///< both surfaces are permeable to the solvent
+  bool solvent = false;      ///< true if both surfaces are permeable to the solvent and exchange it
   std::vector<int> solutes;  ///< the host's ids of the solutes that both surfaces share, ascending
   FrictionKind friction_kind = FrictionKind::none;  ///< friction where tractions are exchanged
 

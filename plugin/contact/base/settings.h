@@ -42,8 +42,9 @@ struct ReducedPenalty {
 
 /// Coefficients of a membrane for one solute.
 struct SoluteFilm {
-  double permeance = 0;   ///< permeance P_k [mm/s]
-  double reflection = 1;  ///< sigma_k: fraction of the solute that the membrane retains in convection, from 0 to 1 [-]
+  double permeance = 0;  ///< permeance P_k [mm/s]
+  /// Reflection coefficient sigma_k: fraction of the solute that the membrane retains in convection, 0 to 1 [-].
+  double reflection = 1;
 
   friend bool operator==(const SoluteFilm& a, const SoluteFilm& b) {
     return a.permeance == b.permeance && a.reflection == b.reflection;
@@ -53,7 +54,7 @@ struct SoluteFilm {
 /// A membrane between the surfaces that resists fluxes (conditions/membrane.h). Fields without coefficients are
 /// continuous.
 struct MembraneRule {
-  std::optional<double> conductance;  ///< L_p: hydraulic conductance [mm^3/(N s)]
+  std::optional<double> conductance;  ///< hydraulic conductance L_p [mm^3/(N s)]
   std::map<int, SoluteFilm> solutes;  ///< coefficients by the host's solute ids
   double thermal_energy = 0;          ///< thermal energy R T [MPa/mM]
 
@@ -65,7 +66,7 @@ struct MembraneRule {
 /// Friction: |t_T| <= mu <|t_n| - (1 - phi) (p - p*)>.
 struct FrictionRule {
   double coefficient = 0;       ///< coefficient of friction mu [-]
-  double contact_fraction = 0;  ///< phi: fraction of the area where solid touches solid, from 0 to 1 [-]
+  double contact_fraction = 0;  ///< fraction phi of the area where solid touches solid, from 0 to 1 [-]
   double ambient_pressure = 0;  ///< ambient pressure p* [MPa]
   double penalty_factor = 0.1;  ///< tangential penalty divided by the traction penalty [-]; see friction_factor()
 

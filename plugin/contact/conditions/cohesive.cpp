@@ -16,9 +16,9 @@ BondGradient stacked(const Vector3d& gap, const Vector3d& normal) { return (Bond
 
 /// The opening of a bond: D_n, lambda and B with their derivatives.
 struct Opening {
-  double compression = 0;    ///< min(0, D_n) [mm]
-  BondGradient d_normal;     ///< derivative of D_n
-  BondGradient half_square;  ///< d(lambda^2/2)
+  double compression = 0;    ///< part of D_n in compression, min(0, D_n) [mm]
+  BondGradient d_normal;     ///< derivative of the normal opening D_n
+  BondGradient half_square;  ///< derivative of lambda^2/2
   double size = 0;           ///< opening lambda [mm]
   Derived mode;              ///< mode B [-]
 };

@@ -25,8 +25,8 @@ namespace mixture_contact {
 /// Parameters of the cohesive law.
 struct Cohesive {
   Strength strength;
-  ByMode energy;    ///< G_n and G_s, fracture energies in tension and in shear [N/mm]
-  double pace = 1;  ///< dt/(dt + tau) of the step; 1 without a viscosity tau [-]
+  ByMode energy;    ///< fracture energies G_n in tension and G_s in shear [N/mm]
+  double pace = 1;  ///< factor dt/(dt + tau) of the step; 1 without a viscosity tau [-]
 };
 
 /// Derivative of the energy with the gap vector and with the normal, in this order.
@@ -36,9 +36,10 @@ using BondHessian = Eigen::Matrix<double, 6, 6>;
 
 /// The loads of a bond and its damage.
 struct BondLoad {
-  BondGradient value;      ///< d psi/dD, the traction on the primary surface [MPa], then d psi/dn [N/mm]
+  /// Derivatives of the energy psi: d psi/dD, the traction on the primary surface [MPa], then d psi/dn [N/mm].
+  BondGradient value;
   BondHessian derivative;  ///< derivative of `value`; symmetric unless damage grows in a changing mode
-  double damage = 0;       ///< d, at least the damage of the accepted state
+  double damage = 0;       ///< damage d, at least that of the accepted state [-]
 };
 
 /// The loads of a bond. `penalty`: K. `damage`: d of the accepted state. `normal`: unit normal out of the primary body.

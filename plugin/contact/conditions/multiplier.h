@@ -11,8 +11,8 @@ inline constexpr double multiplier_compliance = 1e-11;
 /// The value of a multiplier's equation and its derivatives.
 struct ConditionValue {
   double value;
-  double d_dgap;         ///< d(value)/d(gap or jump)
-  double d_dmultiplier;  ///< d(value)/dmu
+  double d_dgap;         ///< derivative with the gap or jump
+  double d_dmultiplier;  ///< derivative with mu
 };
 
 /// The equation of a multiplier: gap or jump = 0 in contact, mu = 0 elsewhere.

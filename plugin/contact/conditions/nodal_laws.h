@@ -12,25 +12,26 @@ namespace mixture_contact {
 /// Multipliers at the nodes of the primary surface. Augmentations change them; if the multipliers are unknowns, the
 /// host sets them for every trial state.
 struct Multipliers {
-  VectorXd traction;                  ///< lambda_n per node [MPa]
-  MatrixXd flux;                      ///< lambda per (field, node)
-  double traction_penalty_scale = 1;  ///< factor on eps_n from slow augmentations
-  VectorXd flux_penalty_scale;        ///< factor on the flux penalties from slow augmentations, per field
-  VectorXd accepted_traction;         ///< t_a of the last accepted step [MPa]; 0 before the first
+  VectorXd traction;                  ///< multipliers lambda_n of the normal traction per node [MPa]
+  MatrixXd flux;                      ///< multipliers lambda of the fluxes per (field, node)
+  double traction_penalty_scale = 1;  ///< factor by which augmentations have increased the traction penalty eps_n
+  VectorXd flux_penalty_scale;        ///< factors by which augmentations have increased the flux penalties, per field
+  VectorXd accepted_traction;         ///< normal traction t_a of the last accepted step [MPa]; 0 before the first
   /// Nodes that were flux-coupled in the last accepted step; empty if the contact exchanges no fluxes.
   NodeFlags flux_coupled;
-  /// lambda_T per node in the configuration at the start of the step [MPa]; empty without friction.
+  /// Friction multipliers lambda_T per node in the configuration at the start of the step [MPa]; empty without
+  /// friction.
   Matrix3Xd friction;
   NodeFlags slips;                    ///< nodes that slide under the multipliers in `friction`
-  double friction_penalty_scale = 1;  ///< factor on the tangential penalty from slow augmentations
+  double friction_penalty_scale = 1;  ///< factor by which augmentations have increased the tangential penalty
 };
 
 /// A node's trial friction with the vectors from which it is formed.
 struct FrictionTrial {
   Vector3d normal;   ///< mean normal n_a
-  Vector3d past;     ///< lambda_T - eps_T s_a, in the configuration at the start of the step
-  Vector3d carried;  ///< F_a (lambda_T - eps_T s_a)
-  Vector3d value;    ///< tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
+  Vector3d past;     ///< vector lambda_T - eps_T s_a, in the configuration at the start of the step
+  Vector3d carried;  ///< vector F_a (lambda_T - eps_T s_a), in the present configuration
+  Vector3d value;    ///< trial friction tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
 };
 
 /// The trial friction of a vector `past` in the tangent plane at the start of the step, mapped to the present tangent

@@ -38,14 +38,14 @@ struct FrictionStatus {
 ///
 /// The slip s_a refers to the configuration at the start of the step; F_a maps it to the present tangent plane.
 struct NodalFriction {
-  Matrix3Xd slip;                             ///< average slip s_a [mm]
-  Matrix3Xd area_vector;                      ///< INT psi_a n da / INT psi_a da
-  VectorXd pressure;                          ///< p~ - p* [MPa]; empty if friction does not depend on it
+  Matrix3Xd slip;         ///< average slip s_a [mm]
+  Matrix3Xd area_vector;  ///< average area vector, INT psi_a n da / INT psi_a da
+  VectorXd pressure;      ///< average excess p~ - p* of the pressure [MPa]; empty if friction does not depend on it
   IndexedVector<Eigen::Matrix3d> convection;  ///< deformation F_a of the surface since the start of the step
   Matrix3Xd trial;                            ///< trial friction tau_a [MPa]
-  Matrix3Xd reference;                        ///< tau_a at the start of the iteration; empty outside iterations
-  VectorXd reference_bound;                   ///< T_max at the start of the iteration
-  Matrix3Xd geometric;  ///< lambda_T - eps_T s_a for the geometric part of the tangent; empty outside iterations
+  Matrix3Xd reference;       ///< trial friction tau_a at the start of the iteration; empty outside iterations
+  VectorXd reference_bound;  ///< friction bound T_max at the start of the iteration
+  Matrix3Xd geometric;  ///< vector lambda_T - eps_T s_a for the geometric part of the tangent; empty outside iterations
   VectorXd bound;       ///< friction bound T_max [MPa]
   Matrix3Xd traction;   ///< friction traction t_T [MPa]; 0 out of contact
 
@@ -67,12 +67,13 @@ struct NodalFriction {
 /// of them has nodes. On non-matching meshes, conditions at more points contradict each other, and some points open and
 /// close alternately.
 struct NodalLoads : NodalGaps, ContactStatus {
-  VectorXd traction;   ///< normal traction t_a [MPa]; 0 out of contact
-  MatrixXd flux_area;  ///< (fields, nodes): INT psi_a da over points at which both sides have the field [mm^2]
-  MatrixXd jump;       ///< (fields, nodes): average jump, primary minus secondary side
-  MatrixXd flux;       ///< (fields, nodes): flux from the primary to the secondary body; 0 out of contact
+  VectorXd traction;  ///< normal traction t_a [MPa]; 0 out of contact
+  /// Area INT psi_a da over the points at which both sides have the field, shape (fields, nodes) [mm^2].
+  MatrixXd flux_area;
+  MatrixXd jump;  ///< average jump, primary minus secondary side, shape (fields, nodes)
+  MatrixXd flux;  ///< flux from the primary to the secondary body, shape (fields, nodes); 0 out of contact
   NodalFriction friction;
-  /// (fields, nodes): values of the fields at the nodes of the primary surface.
+  /// Values of the fields at the nodes of the primary surface, shape (fields, nodes).
   MatrixXd own = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
 
   const ContactStatus& status() const { return *this; }

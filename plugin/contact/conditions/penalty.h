@@ -10,7 +10,7 @@ namespace mixture_contact {
 /// facet, or per node after at_nodes().
 struct Penalties {
   VectorXd traction;   ///< traction penalties eps_n [N/mm^3]
-  MatrixXd flux;       ///< eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
+  MatrixXd flux;       ///< flux penalties eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
   VectorXd stiffness;  ///< stiffness of the adjoining elements [N/mm^3]; between rigid bodies the penalty
   /// Conductance of the adjoining elements per (field, facet); for the solvent at least the conductance that represents
   /// their storage in a time step (see storage_part).

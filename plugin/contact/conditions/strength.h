@@ -21,10 +21,10 @@ struct ByMode {
 
 /// The tractions at which a bond begins to soften.
 struct Strength {
-  ByMode traction;    ///< sigma_c in tension and tau_c in shear [MPa]
-  double mixing = 2;  ///< eta, at least 1 [-]
+  ByMode traction;    ///< strengths sigma_c in tension and tau_c in shear [MPa]
+  double mixing = 2;  ///< exponent eta of mixed modes, at least 1 [-]
 
-  /// B^eta. `mode`: B, the fraction of shear in the square of opening or traction, 0 in tension, 1 in shear.
+  /// The power B^eta. `mode`: B, the fraction of shear in the square of opening or traction, 0 in tension, 1 in shear.
   double power(double mode) const { return std::pow(mode, mixing); }
   /// The derivative of power() with B.
   double d_power(double mode) const { return mixing * std::pow(mode, mixing - 1); }

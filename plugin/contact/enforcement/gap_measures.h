@@ -35,9 +35,10 @@ class GapSums {
   FieldGap field_gap() const;
 
  private:
-  double gap_ = 0;   ///< INT (eps0 gap)^2 da
-  double load_ = 0;  ///< INT load^2 da
-  double size_ = 0;  ///< INT (eps0 field)^2 da
+  /// Integral of the squared gap, INT (eps0 gap)^2 da; eps0: stiffness or conductance of the elements.
+  double gap_ = 0;
+  double load_ = 0;  ///< integral of the squared load, INT load^2 da
+  double size_ = 0;  ///< integral of the squared field, INT (eps0 field)^2 da
   double largest_ = 0;
 };
 

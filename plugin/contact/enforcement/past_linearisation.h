@@ -21,13 +21,13 @@ double same_to_linearisation(const NodalLaws& laws);
 struct LinearisationSource {
   IndexedVector<std::array<Index, 3>> pairs;  ///< primary facet, secondary facet, number of points
   IndexedVector<int> sub_facets;              ///< numbers of the linear pieces of the points, pair by pair
-  LoadCarriers carriers;                      ///< weights of the points
+  LoadCarriers carriers;                      ///< nodes that carry load in the weights of the points
   SurfaceFields primary;                      ///< state of the primary surface
   /// State of the secondary surface.
   SurfaceFields secondary;
   ContactStatus status;
-  VectorXd traction;  ///< t_a of the geometric part
-  MatrixXd flux;      ///< fluxes of the geometric part
+  VectorXd traction;  ///< normal tractions t_a in the geometric part of the tangent
+  MatrixXd flux;      ///< fluxes in the geometric part of the tangent
 
   /// The data of a linearisation at `point` with the averages and loads at the present integration points.
   LinearisationSource(const LinearisationPoint& point, const MortarSpace& space);
@@ -40,7 +40,7 @@ struct LinearisationSource {
 struct GeometricPart {
   GeometricParts pairs;
   NodeRows tractions;
-  IndexedVector<NodeRows> fluxes;  ///< per field; empty for a symmetric tangent
+  IndexedVector<NodeRows> fluxes;  ///< rows of each flux, per field; empty for a symmetric tangent
   LinearisationSource source;
 
   std::size_t memory() const;

@@ -43,8 +43,8 @@ double distance_outside(FacetType type, const Vector2d& xi);
 
 /// Shape functions N_a(xi) and their derivatives with xi.
 struct ShapeFunctions {
-  FacetVector value;       ///< N_a, shape (n)
-  FacetGradient gradient;  ///< dN_a/dxi_alpha, shape (n, 2)
+  FacetVector value;       ///< shape functions N_a, shape (n)
+  FacetGradient gradient;  ///< derivatives dN_a/dxi_alpha, shape (n, 2)
 };
 
 /// Shape functions of a facet type at parametric coordinates xi, which may be outside of the facet.
@@ -57,7 +57,7 @@ inline Eigen::Matrix<double, 3, 2> area_gradient() {
   return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
 }
 
-/// dN_a/dxi_alpha at a node of the facet, shape (n, 2).
+/// The derivatives dN_a/dxi_alpha at a node of the facet, shape (n, 2).
 const FacetGradient& gradient_at_node(FacetType type, int node);
 
 /// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).

@@ -12,8 +12,8 @@ namespace mixture_contact {
 
 /// Moments of the integration points of a pair, one row per node c of the primary triangle.
 struct FlatMoments {
-  Eigen::Matrix3d primary = Eigen::Matrix3d::Zero();    ///< (c, b): sum w psi_c N1_b
-  Eigen::Matrix3d secondary = Eigen::Matrix3d::Zero();  ///< (c, b): sum w psi_c N2_b
+  Eigen::Matrix3d primary = Eigen::Matrix3d::Zero();    ///< moments sum w psi_c N1_b, shape (c, b)
+  Eigen::Matrix3d secondary = Eigen::Matrix3d::Zero();  ///< moments sum w psi_c N2_b, shape (c, b)
 
   /// Adds a point at xi on the primary and eta on the secondary triangle; psi_c are the shape functions of the primary
   /// triangle.
@@ -35,9 +35,9 @@ using FlatTangent = Eigen::Matrix<double, 18, 18>;
 /// Geometry of two flat triangles with their moments. Its members give the gaps, forces and areas of the pair.
 struct FlatPair {
   FlatMoments moments;
-  Vector3d gap{0, 0, 0};          ///< per primary node c: sum w psi_c g
-  Vector3d area_vector{0, 0, 0};  ///< a = x1,1 x x1,2
-  Vector3d normal{0, 0, 0};       ///< n1 = a/|a|
+  Vector3d gap{0, 0, 0};          ///< gap moment of each primary node c: sum w psi_c g
+  Vector3d area_vector{0, 0, 0};  ///< area vector a = x1,1 x x1,2
+  Vector3d normal{0, 0, 0};       ///< unit normal n1 = a/|a|
   double area = 0;                ///< area element |a|
 
   /// Sum of the weights of each primary node c: sum w psi_c.
@@ -54,11 +54,11 @@ FlatPair flat_pair(const FlatMoments& moments, const TriangleCoordinates& x1, co
 /// First variations with the nodal positions x_b that are the same at all points of a flat pair. b counts primary
 /// nodes, n all nodes.
 struct FlatVariations {
-  Eigen::Matrix3d area_vector;         ///< columns w_b: da = sum_b w_b x dx_b
-  Eigen::Matrix3d area;                ///< columns m_b: d|a| = sum_b m_b.dx_b
+  Eigen::Matrix3d area_vector;         ///< variation of the area vector, columns w_b: da = sum_b w_b x dx_b
+  Eigen::Matrix3d area;                ///< variation of the area element, columns m_b: d|a| = sum_b m_b.dx_b
   Eigen::Matrix<double, 3, 2> eta;     ///< columns T_beta: deta_beta = sum_n h_n T_beta.dx_n - g sum_b k_b,beta n1.dx_b
-  Eigen::Matrix<double, 3, 2> tilted;  ///< k_b,beta, one row per primary node b
-  Vector2d slope;                      ///< n1.x2,beta
+  Eigen::Matrix<double, 3, 2> tilted;  ///< coefficients k_b,beta in deta_beta, one row per primary node b
+  Vector2d slope;                      ///< components n1.x2,beta of the secondary tangents along n1
 };
 
 /// The first variations of a flat pair at these nodal positions.
@@ -91,12 +91,12 @@ FlatNodes flux_residual(const FlatPair& pair, const Vector3d& flux);
 /// Sums over the points of a flat pair, weighted with a load l that is interpolated from nodal loads l_c, and the
 /// derivatives of these sums. Nodal forces and flows are multiples of them.
 struct FlatSums {
-  Vector3d primary;    ///< S1_b = sum w l N1_b
-  Vector3d secondary;  ///< S2_b = sum w l N2_b
+  Vector3d primary;    ///< sums S1_b = sum w l N1_b at the primary nodes
+  Vector3d secondary;  ///< sums S2_b = sum w l N2_b at the secondary nodes
   Vector3d normal;     ///< unit normal n1
   // dS2_b = p_b.(sum_c S1_c dx1_c - sum_c S2_c dx2_c) - sum_c t_bc n1.dx1_c
-  Eigen::Matrix3d with_place;  ///< columns p_b = N2_b,beta T_beta
-  Eigen::Matrix3d with_tilt;   ///< t_bc = N2_b,beta k_c,beta sum w l g
+  Eigen::Matrix3d with_place;  ///< coefficients of dS2_b, columns p_b = N2_b,beta T_beta
+  Eigen::Matrix3d with_tilt;   ///< coefficients of dS2_b, t_bc = N2_b,beta k_c,beta sum w l g
 
   /// Derivative dS2_b/dx1_c.
   Vector3d with_primary(Index b, Index c) const { return primary[c] * with_place.col(b) - with_tilt(b, c) * normal; }

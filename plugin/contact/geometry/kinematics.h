@@ -41,8 +41,8 @@ void move_on_flat_facets(PointKinematics& point, const FacetVector& primary, con
 /// Variations of a point's position on the primary facet and of its weight with the nodal positions of both facets.
 /// Both are empty for a point that is fixed on the facet.
 struct PointMotion {
-  PairVariation<2> xi;                                  ///< d xi_alpha
-  PairVariation<1> weight;                              ///< d(weight)/weight
+  PairVariation<2> xi;                                  ///< variation d xi_alpha of the position on the primary facet
+  PairVariation<1> weight;                              ///< relative variation d(weight)/weight
   Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();  ///< columns x1,11, x1,22, x1,12, at the point
 
   /// True for a point that is fixed on the facet.
@@ -61,11 +61,11 @@ Eigen::Matrix<double, 3, 2> area_vector_slope(const Eigen::Matrix<double, 3, 2>&
 /// First variations of a point's kinematics with the nodal positions of both facets, three columns per node.
 struct KinematicVariations {
   PairVariation<1> gap;          ///< variation dg of the gap
-  PairVariation<2> eta;          ///< d eta_beta: motion of the projected point on the secondary facet
+  PairVariation<2> eta;          ///< variation d eta_beta: motion of the projected point on the secondary facet
   PairVariation<3> area_vector;  ///< variation da of the area vector
   PairVariation<1> area;         ///< variation d|a| of the area element
-  PairVariation<2> xi;           ///< d xi_alpha: motion of the point on the primary facet; empty for a fixed point
-  PairVariation<1> weight;       ///< d(weight)/weight; empty for a fixed point
+  PairVariation<2> xi;      ///< variation d xi_alpha: motion of the point on the primary facet; empty for a fixed point
+  PairVariation<1> weight;  ///< relative variation d(weight)/weight; empty for a fixed point
 
   /// True if the point moves on the primary facet.
   bool wanders() const { return weight.size() > 0; }

@@ -10,7 +10,7 @@ namespace mixture_contact {
 /// Intersection of a ray with a facet: x2(eta) = origin + gap * direction.
 struct RayHit {
   Vector2d eta;  ///< parametric coordinates of the intersection on the facet
-  double gap;    ///< signed distance from the origin along the direction [length]
+  double gap;    ///< signed distance of the intersection from `origin`, positive along `direction` [length]
 };
 
 /// Intersection of a facet with the line through `origin` along the unit vector `direction`.

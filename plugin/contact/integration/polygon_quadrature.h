@@ -26,7 +26,7 @@ template <class Number>
 struct Alignment {
   FacetType type = FacetType::quad4;
   Place<Number>
-      first;  ///< first of two axes: in their coordinates the triangle is equilateral, or the parallelogram is a square
+      first;  ///< first of two axes; in their coordinates the triangle is equilateral, or the parallelogram is a square
   Place<Number> second;  ///< second of the two axes
 };
 

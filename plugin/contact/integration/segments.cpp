@@ -158,8 +158,9 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
   const Eigen::RowVector2d r2(-slope(1, 0), slope(0, 0));
 
   const Index nodes = primary.x.cols() + secondary.x.cols();
-  SeenVariation<2> shift(nodes);   // dy - SUM N_a dq_a
-  SeenVariation<1> weight(nodes);  // d(area)/area - d(q,1 x q,2)/(q,1 x q,2) at fixed xi
+  SeenVariation<2> shift(nodes);  // variation of the point relative to the facet: dy - SUM N_a dq_a
+  // Relative variation of the weight: d(area)/area - d(q,1 x q,2)/(q,1 x q,2) at fixed xi.
+  SeenVariation<1> weight(nodes);
   const auto add_sides = [&](auto& sum, const auto& by) {
     add_corners(sum, view, primary, sample.primary, 0, by);
     add_corners(sum, view, secondary, sample.secondary, primary.x.cols(),

@@ -399,7 +399,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   for (const SidedPass& pass : passes_) {
     NodalLaws& laws = pass.integral->laws();
     if (!same) laws.update_penalties();
-    if (was_reduced) laws.multipliers.traction.setZero();  // a full penalty has no multipliers
+    if (was_reduced) laws.multipliers.traction.setZero();  // a penalty at its full value has no multipliers
     if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
 }

@@ -82,7 +82,7 @@ class SideSums {
   VectorXd row(Index number) const { return sums_.row(number); }
 
   OutputRows rows_;
-  MatrixXd sums_;  ///< with the signs of this surface
+  MatrixXd sums_;  ///< sums per node, with the signs of this surface
   VectorXd tributary_area_;
 };
 

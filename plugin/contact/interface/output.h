@@ -7,9 +7,9 @@ namespace mixture_contact {
 
 /// Energies of the bonds of a tie.
 struct BondEnergy {
-  double dissipated = 0;   ///< dissipated by damage since the start of the tie [mJ]
-  double viscous = 0;      ///< dissipated by viscosity since the start of the tie [mJ]
-  double stored = 0;       ///< stored in the bonds [mJ]
+  double dissipated = 0;   ///< energy dissipated by damage since the start of the tie [mJ]
+  double viscous = 0;      ///< energy dissipated by viscosity since the start of the tie [mJ]
+  double stored = 0;       ///< energy stored in the bonds [mJ]
   double broken_area = 0;  ///< area of broken bonds [mm^2]
 };
 
@@ -32,8 +32,8 @@ struct FrictionOutput {
   /// Slip of this surface relative to the other since the start of the step, in the present tangent plane [mm].
   Matrix3Xd slip;
   VectorXd bound;   ///< friction bound T_max [MPa]
-  VectorXd fluid;   ///< p~ - p*, the load that the fluid bears [MPa]
-  VectorXd status;  ///< a value of Sliding for each node
+  VectorXd fluid;   ///< load p~ - p* that the fluid bears [MPa]
+  VectorXd status;  ///< status of each node, a value of Sliding
 };
 
 /// The friction status of a node; `open` without friction.
@@ -53,8 +53,8 @@ struct BreakingOutput {
 struct NodalOutput {
   VectorXd gap;             ///< average gap [mm]
   VectorXd pressure;        ///< contact pressure -t_n [MPa]
-  MatrixXd flux;            ///< (fields, nodes): flux out of the body of this surface
-  MatrixXd jump;            ///< (fields, nodes): jump, this side minus the other side
+  MatrixXd flux;            ///< flux out of the body of this surface, shape (fields, nodes)
+  MatrixXd jump;            ///< jump, this side minus the other side, shape (fields, nodes)
   VectorXd tributary_area;  ///< area in contact that belongs to the node [mm^2]
   FrictionOutput friction;
   BreakingOutput breaking;

@@ -45,12 +45,12 @@ class OutputRows {
 /// Friction at the nodes of a pass, for interpolation between nodes; empty without friction.
 struct SlidingNodes {
   Matrix3Xd slip;  ///< slip in the present tangent plane [mm]
-  /// T_max [MPa].
+  /// Friction bound T_max [MPa].
   VectorXd bound;
   /// The load that the fluid bears [MPa].
   VectorXd fluid;
-  VectorXd in_contact;  ///< 1 or 0
-  VectorXd slips;       ///< 1 or 0
+  VectorXd in_contact;  ///< 1 for a node in contact, 0 for any other
+  VectorXd slips;       ///< 1 for a node that slips, 0 for any other
   /// Energy dissipated since the start of the step [mJ].
   double dissipation = 0;
 

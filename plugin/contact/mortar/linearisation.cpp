@@ -33,7 +33,8 @@ struct PairFriction {
   PairVariation<6> average_variation;
   PairVariation<1> area_variation;  ///< variation of the node's area
   PairVector work;
-  PairVariation<1> pressure_variation;  ///< empty without fluid
+  /// Variation of the pressure, as NodeLinearisation::Friction::pressure_variation; empty without fluid.
+  PairVariation<1> pressure_variation;
   // Empty without fluid.
   PairVector pressure_weights;
 };
@@ -50,7 +51,7 @@ struct PairLinearisation {
   MatrixXd gap_variation;
   MatrixXd traction_work;
   IndexedVector<Jump> jumps;
-  IndexedVector<PairFriction> friction;  ///< per node; empty without friction
+  IndexedVector<PairFriction> friction;  ///< quantities of friction, per node; empty without friction
 };
 
 /// The number of nodes, from the first of a patch, on which the mean normal or the area depends: all nodes if points
@@ -152,11 +153,11 @@ void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum
 /// An integration point in the averages of one node of its primary facet.
 struct CornerPoint {
   const VaryingPoint& point;
-  Index number;  ///< of the point in its pair
+  Index number;  ///< number of the point in its pair
   Index corner;
   int node;
   double share;              ///< weight w psi_a
-  Eigen::RowVector2d slope;  ///< w psi_a,alpha
+  Eigen::RowVector2d slope;  ///< gradient w psi_a,alpha of the weight
 
   /// Variation w psi_a,alpha dxi_alpha, for a point that moves on its facet.
   auto wandering() const { return slope.lazyProduct(point.vary.xi); }
@@ -228,10 +229,10 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
 /// are sums of w psi_a y over the points, y = (|a| r, a), divided by the area A_a.
 struct SlidingPoint {
   Eigen::Matrix<double, 6, 1> value;    ///< value of y
-  PairVariation<6> variation;           ///< dy + y dw/w
+  PairVariation<6> variation;           ///< variation dy + y dw/w
   PairVector work;                      ///< work |a| h of the nodes
   Index turning = 0;                    ///< as NodeLinearisation::Friction::turning, for the nodes of the pair
-  double pressure = 0;                  ///< |a| (p~ - p*); without fluid, the next two members are empty
+  double pressure = 0;                  ///< pressure |a| (p~ - p*); without fluid, the next two members are empty
   PairVariation<1> pressure_variation;  ///< variation of |a| (p~ - p*) at fixed nodal values, plus |a| (p~ - p*) dw/w
   PairVector pressure_weights;          ///< derivatives of |a| (p~ - p*) with the nodal values of p~
 };

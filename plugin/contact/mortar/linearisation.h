@@ -11,8 +11,9 @@ struct NodeLinearisation {
   /// First variation of the average jump of one field. `weights` times the node's flux_area is also the virtual work of
   /// a unit flux.
   struct Jump {
-    VectorXd projection_variation;  ///< djump/du, in the order of gap_variation
-    VectorXd weights;  ///< djump/dvalue for the field's nodal values, in the order of patch.of_field(field, false)
+    VectorXd projection_variation;  ///< derivative djump/du, in the order of gap_variation
+    /// Derivatives of the jump with the field's nodal values, in the order of patch.of_field(field, false).
+    VectorXd weights;
   };
   /// First variations of the averages on which friction depends; empty without friction. Rows are vector components.
   struct Friction {
@@ -20,11 +21,11 @@ struct NodeLinearisation {
     /// patch.
     IndexedVector<Eigen::Matrix<double, 6, 3>> average_variation;
     VectorXd area_variation;    ///< derivative of the node's area, in the order of gap_variation
-    Matrix3Xd trial_variation;  ///< dtau_a/du, columns in the order of gap_variation
-    Matrix3Xd convection;       ///< C_b: F_a = sum_b x_b C_b^T over the primary nodes of the patch
-    /// sum_q w psi_a |a| h, one entry per node of the patch; times t_T it is the virtual work of friction.
+    Matrix3Xd trial_variation;  ///< derivative dtau_a/du of the trial friction, columns in the order of gap_variation
+    Matrix3Xd convection;       ///< coefficients C_b of F_a = sum_b x_b C_b^T, over the primary nodes of the patch
+    /// Virtual work of a unit friction traction, sum_q w psi_a |a| h, one entry per node of the patch.
     VectorXd work;
-    VectorXd pressure_variation;  ///< d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
+    VectorXd pressure_variation;  ///< derivative d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
     /// Derivative of p~ - p* with the nodal values of p~, one per node of the patch; empty without fluid.
     VectorXd pressure_weights;
 
@@ -38,9 +39,9 @@ struct NodeLinearisation {
   };
   /// The nodes and fields of the averages.
   Patch patch;
-  VectorXd gap_variation;     ///< dg_a/du, in the order of patch.of_displacements()
-  VectorXd traction_work;     ///< sum_q w psi_a h a, in the same order
-  IndexedVector<Jump> jumps;  ///< one per field of the patch, in the patch's order
+  VectorXd gap_variation;     ///< derivative dg_a/du of the average gap, in the order of patch.of_displacements()
+  VectorXd traction_work;     ///< virtual work of a unit traction, sum_q w psi_a h a, in the same order
+  IndexedVector<Jump> jumps;  ///< average jumps, one per field of the patch, in the patch's order
   Friction friction;
 
   bool empty() const { return patch.primary.empty() && !patch.multiplier_node; }
@@ -65,10 +66,11 @@ struct LinearisationPoint {
   NodalLoads loads;  ///< nodal loads at the state
   /// One per node; entries of nodes out of contact are empty; no entries at all if only the loads are held.
   IndexedVector<NodeLinearisation> nodes;
-  VectorXd geometric_traction;   ///< t_a in the geometric part of the tangent
-  MatrixXd geometric_flux;       ///< fluxes in the geometric part of the tangent
-  Matrix3Xd geometric_friction;  ///< t_T in the geometric part of the tangent; empty without friction
-  VectorXd equation_weights;     ///< weights of the equations of unknown multipliers
+  VectorXd geometric_traction;  ///< normal tractions t_a in the geometric part of the tangent
+  MatrixXd geometric_flux;      ///< fluxes in the geometric part of the tangent
+  /// Friction tractions t_T in the geometric part of the tangent; empty without friction.
+  Matrix3Xd geometric_friction;
+  VectorXd equation_weights;  ///< weights of the equations of unknown multipliers
 
   bool is_linearised() const { return !nodes.empty(); }
   /// True if the fields equal those of this state, so that the predicted change is zero.

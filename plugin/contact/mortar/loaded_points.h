@@ -18,8 +18,8 @@ struct PointContact {
 
   const FacetPair* pair;
   const PointKinematics& kinematics;
-  FacetVector psi;             ///< psi_a at the point
-  FacetGradient psi_gradient;  ///< psi_a,alpha
+  FacetVector psi;             ///< functions psi_a at the point
+  FacetGradient psi_gradient;  ///< gradients psi_a,alpha of these functions
   IndexedVector<int> fields;   ///< exchanged scalar fields at the point, by their indices in Effects
   PairFields values;           ///< values of these fields at the nodes of the pair
   /// Loads interpolated from the nodes; their derivatives are 0, because the derivatives of nodal averages are added

@@ -16,8 +16,8 @@ namespace {
 /// in contact.
 struct JumpSums {
   IndexedVector<int> fields;
-  FacetVector area;  ///< INT psi_a da
-  MatrixXd jump;     ///< (fields, nodes): INT psi_a jump da
+  FacetVector area;  ///< integrals INT psi_a da
+  MatrixXd jump;     ///< integrals INT psi_a jump da, shape (fields, nodes)
 };
 
 /// Adds to `list` the entries of `more` that it does not contain.

@@ -12,13 +12,13 @@ using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_
 
 /// The loads at an integration point.
 struct PointLoads {
-  LawValue traction{0.0, 0.0};                     ///< t_n [MPa] and dt_n/dg
-  Vector2d traction_slope{0.0, 0.0};               ///< dt_n/dxi_alpha; used if the point moves on the primary facet
-  Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< per exchanged field: flux q_n and dq_n/djump
-  Eigen::MatrixX2d flux_slope;  ///< dq_n/dxi_alpha per exchanged field; empty if the point does not move
+  LawValue traction{0.0, 0.0};        ///< normal traction t_n [MPa] and its derivative dt_n/dg
+  Vector2d traction_slope{0.0, 0.0};  ///< derivatives dt_n/dxi_alpha; used if the point moves on the primary facet
+  Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< flux q_n and its derivative dq_n/djump, per exchanged field
+  Eigen::MatrixX2d flux_slope;  ///< derivatives dq_n/dxi_alpha per exchanged field; empty if the point does not move
   Vector3d friction{0, 0, 0};   ///< friction traction t_T [MPa]
-  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();  ///< dt_T/dxi_alpha where the point
-                                                                                     ///< moves over the primary facet
+  /// Derivatives dt_T/dxi_alpha; used if the point moves on the primary facet.
+  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();
   double weight = 0;          ///< quadrature weight: da1 = weight * |a|
   double time_increment = 0;  ///< time increment dt [s]: the rows of fluxes are integrated over the step
 

@@ -10,9 +10,9 @@ namespace {
 /// The integrals over a pair for the averages of friction, per node of its primary facet; empty if no node of the facet
 /// is in contact.
 struct SlipSums {
-  FacetCoordinates slip;         ///< INT psi_a r da
-  FacetCoordinates area_vector;  ///< INT psi_a n da
-  FacetVector pressure;          ///< INT psi_a (p~ - p*) da
+  FacetCoordinates slip;         ///< integrals INT psi_a r da of the slip
+  FacetCoordinates area_vector;  ///< integrals INT psi_a n da of the normal
+  FacetVector pressure;          ///< integrals INT psi_a (p~ - p*) da of the excess pressure
 };
 
 SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields,

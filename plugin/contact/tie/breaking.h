@@ -17,10 +17,10 @@ inline bool may_break(const BreakingLaw& law) { return !std::holds_alternative<U
 
 /// The damage of the tied nodes. All vectors are empty if the tie cannot break.
 struct DamageState {
-  VectorXd damage;     ///< d per tied node: 0 intact, 1 broken permanently [-]
+  VectorXd damage;     ///< damage d per tied node: 0 intact, 1 broken permanently [-]
   VectorXd energy;     ///< energy dissipated by damage, per area [mJ/mm^2]
   VectorXd viscous;    ///< energy dissipated by viscosity, per area [mJ/mm^2]
-  VectorXd opening;    ///< lambda of cohesive bonds at the last accepted solution [mm]
+  VectorXd opening;    ///< opening lambda of cohesive bonds at the last accepted solution [mm]
   VectorXd broken_at;  ///< time at which the node broke [s]; negative for a node that has not broken
 
   DamageState() = default;

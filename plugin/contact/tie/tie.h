@@ -24,9 +24,9 @@ struct TieState {
 struct TieLoads {
   Matrix3Xd gap;       ///< gap vectors D_a [mm]
   Matrix3Xd traction;  ///< tractions t_a on the primary surface [MPa]
-  MatrixXd jump;       ///< (fields, nodes): jump, primary minus secondary side
-  MatrixXd flux;       ///< (fields, nodes): flux out of the primary body
-  Matrix3Xd turning;   ///< d psi/dn of the cohesive law [N/mm]; no columns for other laws
+  MatrixXd jump;       ///< jump, primary minus secondary side, shape (fields, nodes)
+  MatrixXd flux;       ///< flux out of the primary body, shape (fields, nodes)
+  Matrix3Xd turning;   ///< derivative d psi/dn of the cohesive law's energy [N/mm]; no columns for other laws
   VectorXd damage;     ///< damage d at this state [-]; empty if the tie cannot break
 };
 

@@ -36,7 +36,7 @@ struct Sums {
 struct GapOfPoint {
   int facet = 0;
   FacetGradient gradient;
-  double sum = 0;  ///< INT psi_a g0 dA
+  double sum = 0;  ///< integral INT psi_a g0 dA
 };
 
 /// Integrals around a node over all pairs of facets.
@@ -60,8 +60,8 @@ void add_gap(IndexedVector<GapOfPoint>& gaps, const FacetPair& pair, const Facet
 /// A point of a pair with its kinematics and the weights of the nodes of both facets.
 struct PlacedPoint {
   PointKinematics kinematics;
-  FacetVector shares;            ///< weight |a| psi_a
-  FacetVector secondary_shares;  ///< psi_b of the secondary facet
+  FacetVector shares;            ///< quadrature weight times |a| psi_a, per primary node
+  FacetVector secondary_shares;  ///< shape functions of the secondary facet
 };
 
 PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,

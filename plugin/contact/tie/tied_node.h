@@ -13,7 +13,7 @@ struct TiedAverage {
   /// INT psi_a dA over the facets whose both sides are permeable to the quantity, in the reference configuration
   /// [mm^2].
   double area = 0;
-  VectorXd weights;  ///< INT psi_a (N2, -N1) dA divided by the area, per node; they add up to zero
+  VectorXd weights;  ///< weights of the nodes, INT psi_a (N2, -N1) dA divided by the area; they add up to zero
 
   bool exists() const { return area > 0; }
 };
@@ -27,7 +27,7 @@ struct PlaceOnFacet {
 /// An initial gap of one point that is kept along the present normal of the primary facet.
 struct KeptGap {
   PlaceOnFacet at;
-  double size = 0;  ///< INT psi_a g0 dA of the point divided by the area of the node [mm]
+  double size = 0;  ///< integral INT psi_a g0 dA of the point divided by the area of the node [mm]
 };
 
 /// A node of the primary surface with the nodes and weights of its averages.

@@ -233,7 +233,7 @@ void KeptMatrix::accept() {
 
 void KeptMatrix::force_next() {
   if (!reform_augment_) reform_augment_ = std::exchange(system_.forms_matrix_after_augmentations(), true);
-  request(true);  // for the start of a step
+  request(true);  // the next step then starts with a new matrix
 }
 
 void KeptMatrix::end_step() {

@@ -81,8 +81,8 @@ class KeptMatrix {
   };
   /// Properties of the model's matrices that have been found so far.
   struct Found {
-    bool needs_parts = false;   ///< deferred parts are too large for stationary iteration
-    bool loses_pivots = false;  ///< factorisations fail after row operations
+    bool needs_parts = false;   ///< true if deferred parts are too large for stationary iteration
+    bool loses_pivots = false;  ///< true if factorisations fail after row operations
   };
   /// Detects a new matrix that FEBio has assembled without an announcement, as after augmentations, by FEBio's count of
   /// matrices in the step. Returns true if there is one.

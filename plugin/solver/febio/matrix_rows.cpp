@@ -100,7 +100,7 @@ constexpr double least_condition = 1e-8;
 /// empty if the rows do not determine the unknowns.
 VectorXd eliminating(CRSSparseMatrix& matrix, const std::vector<int>& unknowns, int row) {
   const Index count = count_of(unknowns);
-  MatrixXd own(count, count);  // transposed
+  MatrixXd own(count, count);  // transposed block of the unknowns
   VectorXd entries(count);
   for (Index j = 0; j < count; ++j) {
     const int column = mixture_contact::at(unknowns, j);
