@@ -29,7 +29,7 @@ class UndecidedNodes {
   bool any_changed() const {
     return std::any_of(loads_.begin(), loads_.end(), [&](const UndecidedLoad& load) { return is_changed(load); });
   }
-  /// Adds the conditions on the matrix, with the nodes that have changed so far.
+  /// Adds the conditions on the matrix, including those of nodes whose status has changed so far.
   void add_conditions(std::vector<newton::Condition>& all) const {
     std::map<int, newton::Condition> conditions;
     for (const newton::Condition& held : held_) conditions[held.key] = held;

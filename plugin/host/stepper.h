@@ -46,7 +46,7 @@ enum class GoesOn {
 /// nodal values.
 enum class Changed { nothing, loads, all };
 
-/// The present phase, and the action that follows from each event.
+/// The present phase of the contacts, and the actions that follow from the events of the host.
 class Stepper {
  public:
   /// The action of the contacts when the model is evaluated.

@@ -153,9 +153,9 @@ class ActiveSet {
   double negligible(double largest_traction, double surface_size) const;
   /// Widths of the band around the friction bound in which trials do not change a status [MPa].
   struct FrictionBands {
-    /// Width for nodes that are not at the edge of sliding.
+    /// Half-width of the band for nodes that are not at the edge of sliding [MPa].
     double elsewhere;
-    /// Width for nodes at the edge of sliding.
+    /// Half-width of the band for nodes at the edge of sliding [MPa].
     double at_edge;
   };
   FrictionBands friction_bands(const NodalLoads& predicted) const;

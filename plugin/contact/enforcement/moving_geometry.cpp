@@ -234,7 +234,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   NodalGaps gaps = space_.gaps();
   if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
-  if (!method_.predicts()) return true;  // predicted loads are the loads; gaps() tests the remaining gaps
+  if (!method_.predicts()) return true;  // the loads are unknowns and need no test; gaps() tests the gaps
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
   NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());

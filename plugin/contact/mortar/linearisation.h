@@ -55,7 +55,7 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
 /// values, or their changes for the change of the jump. The part of the displacements is not included.
 double jump_of(const NodeLinearisation& linear, Index k, const FacingFields& fields);
 
-/// The change of F_a of a node by displacements `moved`, in the order of gap_variation.
+/// The change of the convection F_a of a node (slips.h) by displacements `moved`, in the order of gap_variation.
 Eigen::Matrix3d convection_change(const NodeLinearisation& linear, const VectorXd& moved);
 
 /// The state at which an iteration linearises. Within the iteration and its line search, averages are linear functions
