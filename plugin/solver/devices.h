@@ -43,7 +43,7 @@ struct NamedDevices {
 };
 /// Reads "all", "none", or names separated by commas.
 NamedDevices named_devices(const std::string& list);
-/// A sentence with the allowed values.
+/// A sentence with the allowed names of devices.
 std::string allowed_devices();
 /// The names of the devices in a set, separated by commas; "none" if it is empty.
 std::string names(const DeviceSet& set);

@@ -11,7 +11,7 @@
 
 namespace newton {
 
-/// The helper that implements the guard.
+/// The helper that repeats an iteration whose increment the line search has shortened.
 class LineSearchGuard : public Helper {
  public:
   explicit LineSearchGuard(Solver& solver) : solver_(solver) {}

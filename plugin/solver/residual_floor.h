@@ -19,7 +19,8 @@ class ResidualFloor : public Helper {
   /// [N^2].
   ResidualFloor(Solver& solver, std::function<double()> rounding) : solver_(solver), rounding_(std::move(rounding)) {}
 
-  /// Raises the solver's smallest residual to the rounding until the end of the step. A larger value of the user stays.
+  /// Raises the solver's smallest residual to the rounding until the end of the step. A larger value set by the user is
+  /// kept.
   bool begin_step() override;
   void end_step() override { let_go(); }
   void rewind() override { let_go(); }

@@ -24,7 +24,7 @@ class BondIterations {
  public:
   /// Begins an iteration at the state whose tangent is computed next. It has no effect on a tie that is not cohesive.
   void begin(const Tie& tie, const PerSide<SurfaceFields>& fields);
-  /// The derivative for bonds whose damage grows.
+  /// The kind of derivative to use for bonds whose damage grows.
   Softening softening() const { return softening_; }
 
  private:

@@ -15,8 +15,8 @@ namespace mixture_contact {
 struct TieState {
   Matrix3Xd traction;                 ///< traction multiplier lambda_a per tied node [MPa]
   MatrixXd flux;                      ///< flux multiplier lambda per (field, tied node)
-  double traction_penalty_scale = 1;  ///< factor of the traction penalties
-  VectorXd flux_penalty_scale;        ///< factor of the flux penalties, per field
+  double traction_penalty_scale = 1;  ///< factor by which augmentations have increased the traction penalties
+  VectorXd flux_penalty_scale;        ///< factors by which augmentations have increased the flux penalties, per field
   DamageState damage;
 };
 
