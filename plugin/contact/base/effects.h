@@ -1,5 +1,5 @@
 /// The effects that a contact exchanges: traction, friction, solvent and solutes. Search, residual, tangent, matrix
-/// profile, multipliers and log depend on it.
+/// profile, multipliers and log depend on them.
 #pragma once
 
 #include "base/indexed_vector.h"

@@ -14,7 +14,7 @@ struct View {
   Vector3d origin;  ///< the point of the facet
   /// Unit normal of the facet at the origin.
   Vector3d normal;
-  /// Axes of the plane normal to it.
+  /// Axes of the plane of projection.
   PlaneAxes axes;
 
   /// Coordinates of a point's projection in the plane.
