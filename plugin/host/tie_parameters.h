@@ -31,7 +31,7 @@ bool is_parameter_of_ties(const ParameterTag& tag);
 /// True if a parameter of sliding contact applies to broken nodes only.
 bool is_parameter_of_broken_nodes(const ParameterTag& tag);
 
-/// Calls take(tag, value) for each parameter of breaking.
+/// Calls take(tag, value) for each parameter of the law by which a tie breaks.
 template <class Take>
 void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
   using Group = ParameterGroup;

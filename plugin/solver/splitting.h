@@ -47,7 +47,7 @@ bool are_empty(const MatrixParts& parts);
 struct Split {
   std::vector<double> product;  ///< D x, such that K x' = b - D x gives the solution of (K + D) x' = b; empty for zero
   bool converges = true;        ///< true if each iteration reduced the change to less than a half
-  std::vector<double> x;        ///< the x in `product`; empty if D is zero
+  std::vector<double> x;        ///< the vector x of `product`; empty if D is zero
   double change = 0;            ///< norm of D times the change of x in the last iteration
   double reduction = 0;         ///< factor by which an iteration reduces this change
 };

@@ -44,8 +44,8 @@ inline std::vector<CellPart> cell_parts(FacetType type) {
 
 inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness = 1, double conductance = 1) {
   GridSurface surface;
-  constexpr int places = 6;                    // per cell and direction: nodes are at halves and thirds
-  std::map<std::pair<int, int>, int> numbers;  // of the nodes, by their position in the grid
+  constexpr int places = 6;                    // number per cell and direction; nodes are at halves and thirds
+  std::map<std::pair<int, int>, int> numbers;  // numbers of the nodes, by their position in the grid
   std::vector<Vector3d> positions;
   const auto node_at = [&](const Vector2d& half_cells) {
     const Vector2d exact = half_cells * places / 2;

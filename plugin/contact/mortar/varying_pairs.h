@@ -1,4 +1,4 @@
-/// Linearisation of nodal averages that also passes on the variations of the pairs for further use.
+/// Linearisation of nodal averages that also passes the variations of the pairs to a function.
 #pragma once
 
 #include "mortar/linearisation.h"
