@@ -12,7 +12,7 @@ using newton::Place;
 
 namespace {
 
-/// See AmbientConditions::Face.
+/// The face (see AmbientConditions::Face) of a node of a surface.
 std::pair<int, bool> face_of(const FEMixtureSurface& surface, int node) {
   return {surface.NodeIndex(node), surface.has_shell_bottoms()};
 }
@@ -43,7 +43,7 @@ std::map<AmbientConditions::Face, AmbientConditions::NodeStatus> AmbientConditio
   return nodes;
 }
 
-/// Whether ambient conditions may act on a nodal value: it exists and no boundary condition holds it.
+/// True if ambient conditions may act on a nodal value: it exists, and no boundary condition prescribes it.
 bool AmbientConditions::is_free(Place place) const {
   return place.dof >= 0 && fem_.GetMesh().Node(place.node).get_bc(place.dof) == DOF_OPEN &&
          solver_.equation(place) != -1;

@@ -1,7 +1,7 @@
-/// Ambient (free-draining) conditions on the nodes of contact surfaces that are not in contact.
+/// Ambient (free-draining) conditions at nodes of contact surfaces that are not in contact.
 ///
-/// FEBio's solvers switch ambient nodes only for contact classes that they know by name, so the plugin does it, once
-/// for all contacts of a model: a node has ambient values only if it is open in all contacts.
+/// FEBio's solvers set ambient values only for contact classes that they know. The plugin therefore sets them, once for
+/// all contacts of a model: a node has ambient values only if it is open in all contacts.
 #pragma once
 
 #include "contact_in_model.h"
@@ -14,28 +14,29 @@
 
 class FEModel;
 
+/// Sets ambient values at the open nodes of a model.
 class AmbientConditions {
  public:
   AmbientConditions(FEModel& fem, newton::Solver& solver, newton::Helpers& helpers)
       : fem_(fem), solver_(solver), helpers_(helpers) {}
 
-  /// Holds nodes outside contact at ambient values, and frees the others with the value that they have. It must not be
-  /// called while a trial increment is evaluated. Returns whether anything changed.
+  /// Prescribes ambient values at nodes out of contact, and frees the other nodes, which keep their values. It must not
+  /// be called while a trial increment is evaluated. Returns true if anything changed.
   bool apply(const std::vector<ContactInModel*>& contacts);
 
-  /// Brings the solver in step with nodes freed since the last call: an attempt that was cut back may have left it
-  /// changed.
+  /// Sets the solver's vectors for nodes that were freed since the last call, because a failed attempt may have changed
+  /// these vectors.
   void begin_step();
 
  private:
   struct NodeStatus {
     bool in_contact;
-    const ContactInModel* ambient;  ///< the first free-draining contact of the node, which gives its ambient values
+    const ContactInModel* ambient;  ///< first free-draining contact of the node, whose ambient values apply
   };
-  /// A node, or that of the back face of a shell.
+  /// A node of the mesh, and whether the back face of its shell is meant.
   using Face = std::pair<int, bool>;
-  /// The status of the nodes of free-draining contacts on which ambient conditions may act; any contact may have them
-  /// in contact.
+  /// The status of the nodes to which ambient conditions may apply: those of free-draining contacts. The contact status
+  /// takes all contacts into account.
   static std::map<Face, NodeStatus> status_of_nodes(const std::vector<ContactInModel*>& contacts);
   bool apply(const DofMap& dofs, const Face& face, const NodeStatus& status);
   bool apply(newton::Place place, const NodeStatus& status);
@@ -45,5 +46,5 @@ class AmbientConditions {
   FEModel& fem_;
   newton::Solver& solver_;
   newton::Helpers& helpers_;
-  std::vector<newton::Place> released_;  ///< since the last begin_step()
+  std::vector<newton::Place> released_;  ///< values freed since the last begin_step()
 };

@@ -1,4 +1,4 @@
-/// Storage of the core's values in FEBio's dump streams, for restart files and time step cutbacks.
+/// Storage of values of the core in FEBio's dump streams, for restart files and repeated time steps.
 #pragma once
 
 #include "contact/base/types.h"
@@ -7,20 +7,21 @@
 
 #include <vector>
 
-/// Writes a value to an archive, or reads it, according to the archive's direction.
+/// Writes a value to an archive or reads it, depending on the archive's mode.
 template <class T>
 void archive(DumpStream& ar, T& value) {
   ar & value;
 }
 
-/// Writes a vector to an archive, or reads it. FEBio does not change a vector if the stored one is empty.
+/// Writes a vector to an archive or reads it. The vector is cleared before reading, because FEBio does not change it if
+/// the stored one is empty.
 template <class T>
 void archive(DumpStream& ar, std::vector<T>& values) {
   if (!ar.IsSaving()) values.clear();
   ar & values;
 }
 
-/// Writes an Eigen matrix or vector to an archive, or reads it: its shape, then its entries.
+/// Writes an Eigen matrix or vector to an archive or reads it: its shape, then its entries.
 template <int Rows, int Columns, int Options, int MaxRows, int MaxColumns>
 void archive(DumpStream& ar, Eigen::Matrix<double, Rows, Columns, Options, MaxRows, MaxColumns>& matrix) {
   int rows = static_cast<int>(matrix.rows());

@@ -21,8 +21,9 @@ using namespace mixture_contact;
 
 namespace {
 
-/// Has a load that the matrix does not have in the other status, given that it follows what it depends on: its traction
-/// as the iteration begins is in the residual where it is in contact, and to be added where it is not.
+/// The condition that adds a load to the matrix with the other contact status. `follows`: condition for a load that
+/// depends on its variables. `traction`: traction at the start of the iteration, which is in the residual if the node
+/// is in contact, and otherwise has to be added.
 newton::Condition changed_condition(newton::Condition follows, double traction, double factor, bool is_in_contact) {
   if (is_in_contact) {
     follows.row.clear();
@@ -34,7 +35,7 @@ newton::Condition changed_condition(newton::Condition follows, double traction, 
   return follows;
 }
 
-/// The equations of a contact's nodes, gathered where they are asked for.
+/// The equations of a contact's nodes, which are gathered when they are first needed.
 class GatheredOnce {
  public:
   /// Keeps references.
@@ -83,7 +84,8 @@ void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_l
 Assembly::CoupledRow Assembly::coupled_row(const NodeEquations& equations, Side first, const TangentBlock& row) const {
   Patch rows = row.rows;
   const bool is_rigid = equations.are_rigid({first, rows});
-  rows.displacements = rows.displacements || is_rigid;  // FEBio couples a body by all that its nodes have, both ways
+  // FEBio couples all unknowns of a rigid body's nodes with each other.
+  rows.displacements = rows.displacements || is_rigid;
   return {equations.coupled({first, rows}), equations.coupled({first, in_matrix(equations, first, row)}),
           is_rigid || equations.are_rigid({first, row.columns})};
 }
@@ -177,7 +179,7 @@ PerSide<Matrix3Xd> Assembly::displacements(const std::vector<double>& increment)
 }
 
 newton::Condition Assembly::condition_of(const NodeEquations& equations, Side first, const LoadBlock& load) const {
-  // As an unknown of its own: with K = -dR/du and z = factor variation.du, K du - work z = R.
+  // The load as an additional unknown: with K = -dR/du and z = factor variation.du, K du - work z = R.
   return {loads_.of(equations, contact_.core(), first, load.place), equations.entries({first, load.rows}, -load.work),
           equations.entries({first, load.place.columns}, load.variation), -1 / load.factor, 0};
 }

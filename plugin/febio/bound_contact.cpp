@@ -23,14 +23,14 @@ using namespace mixture_contact;
 
 namespace {
 
-/// Whether the solver of the present step gives bodies their mass; those of mixtures do not.
+/// True if bodies have inertia in the solver of the present step; they have none in the solvers for mixtures.
 bool has_inertia(FEModel& fem) {
   FEAnalysis& step = *fem.GetCurrentStep();
   return step.m_nanalysis == FESolidAnalysis::DYNAMIC &&
          dynamic_cast<const FESolidSolver2*>(step.GetFESolver()) != nullptr;
 }
 
-/// Whether no primary node is in contact.
+/// True if no primary node is in contact.
 bool is_open(const ContactInterface& contact) {
   const NodeFlags nodes = contact.nodes_in_contact()[Side::primary];
   return std::none_of(nodes.begin(), nodes.end(), [](bool closed) { return closed; });
@@ -77,7 +77,8 @@ PerSide<SurfaceFields> BoundContact::fields() const { return fields_of(surfaces_
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);
-  // FEBio changes parameters before it begins a step, whose first evaluation comes before the contact prepares it.
+  // FEBio changes parameters before it begins a step, and evaluates the model before it prepares the contact for the
+  // step.
   for (std::size_t pass = 0; pass < core_->passes(); ++pass)
     core_->pass(pass).measure_gaps_from(parameters_.gap.offset.value);
   const FESolver* solver = surfaces_[Side::primary].GetFEModel()->GetCurrentStep()->GetFESolver();
@@ -147,7 +148,7 @@ void BoundContact::serialize(DumpStream& ar) {
     archive_effects(ar, effects);
     for (const Side side : both_sides) archive_mesh(ar, meshes[side]);
     if (!ar.IsSaving()) build(std::move(meshes), effects);
-    forget_past(*core_);  // so that a run which is continued goes on as this one does
+    forget_past(*core_);  // a continued run then gives the same results as this run
   }
   NumberedState numbered = numbered_state();
   const NodeNumbers present = numbered.nodes;

@@ -1,8 +1,9 @@
-/// A contact, as the objects that act on all contacts of a model see it.
+/// A contact as it is used by objects that act on all contacts of a model.
 #pragma once
 
 #include "assembly.h"
 
+/// Access to a contact of a model.
 class ContactInModel {
  public:
   ContactInModel() = default;
@@ -12,14 +13,14 @@ class ContactInModel {
   ContactInModel& operator=(ContactInModel&&) = delete;
   virtual ~ContactInModel() = default;
 
-  /// Whether the contact is part of the present step of the analysis.
+  /// True if the contact is active in the present step of the analysis.
   virtual bool is_active() const = 0;
   virtual BoundContact& bound() = 0;
-  /// The ambient value of a degree of freedom outside contact [MPa or mM].
+  /// The ambient value of a degree of freedom [MPa or mM].
   virtual double ambient_value(int dof) const = 0;
-  /// Whether failed steps reduce its traction penalty.
+  /// True if failed steps may reduce the contact's traction penalty.
   virtual bool has_reducible_penalty() const = 0;
   virtual const Assembly& assembly() const = 0;
-  /// Calls at the start of an analysis step, and after a time step or the run has been solved.
+  /// Called by FEBio at the start of an analysis step, after a time step has been solved, and at the end of the run.
   virtual void on_callback(unsigned int when) = 0;
 };

@@ -8,30 +8,34 @@
 #include <string>
 #include <vector>
 
-/// Sentences that begin with the name of the contact.
+/// Writes sentences that begin with the type and name of the contact to FEBio's log.
 class ContactLog {
  public:
   explicit ContactLog(FECoreBase& contact) : contact_(contact) {}
 
+  /// Writes a sentence.
   void say(const std::string& sentence) const {
     feLogEx(contact_.GetFEModel(), "%s%s\n", subject().c_str(), sentence.c_str());
   }
+  /// Writes a sentence as an error.
   void error(const std::string& sentence) const {
     feLogErrorEx(contact_.GetFEModel(), "%s%s", subject().c_str(), sentence.c_str());
   }
+  /// Writes sentences as errors.
   void errors(const std::vector<std::string>& sentences) const {
     for (const std::string& sentence : sentences) error(sentence);
   }
 
-  /// Ends the run after an error: FEBio repeats steps after its own exceptions, and the fault would recur.
+  /// Ends the run after an error has been logged. The exception is not one of FEBio's, after which FEBio would repeat
+  /// the step with the same error.
   [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "cannot go on, see the error above."); }
 
-  // Sentences that name the contact themselves
+  // The next functions write sentences that name the contact themselves.
   void line(const std::string& sentence) const { feLogEx(contact_.GetFEModel(), "%s\n", sentence.c_str()); }
   void warning(const std::string& sentence) const { feLogWarningEx(contact_.GetFEModel(), "%s", sentence.c_str()); }
 
   std::string name() const { return contact_.GetName(); }
-  /// Type and name.
+  /// Type and name of the contact.
   std::string title() const { return std::string(contact_.GetTypeStr()) + " \"" + name() + "\""; }
 
  private:

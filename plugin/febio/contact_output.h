@@ -1,16 +1,17 @@
-/// The output of a contact: values at the nodes after each step, warnings, and timings at the end of a run.
+/// Output of a contact: nodal values after each step, warnings, and times at the end of a run.
 #pragma once
 
 #include "bound_contact.h"
 
+/// Stores and logs the output of a contact.
 class ContactOutput {
  public:
   ContactOutput(const BoundContact& contact, ContactSurfaces& surfaces, const ContactLog& log)
       : contact_(contact), surfaces_(surfaces), log_(log) {}
 
-  /// Stores the values after a step that has been solved.
+  /// Stores the values of a step that has been solved.
   void store();
-  /// Writes the timings at the end of the run.
+  /// Logs the measured times at the end of the run.
   void log_timings() const;
 
  private:
@@ -19,6 +20,6 @@ class ContactOutput {
   const BoundContact& contact_;
   ContactSurfaces& surfaces_;
   const ContactLog& log_;
-  mixture_contact::Stopwatch run_;  ///< since the contact was read
-  bool has_warned_ = false;         ///< of an overlap, in this run
+  mixture_contact::Stopwatch run_;  ///< time since the contact was read
+  bool has_warned_ = false;         ///< true if an overlap has been reported in this run
 };

@@ -26,7 +26,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// How many solid elements have all of some nodes.
+/// The number of solid elements that have all of these nodes.
 int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
   FENodeElemList& around = mesh.NodeElementList();
   FEElement** const elements = around.ElementList(nodes.front());
@@ -39,7 +39,7 @@ int solids_with(FEMesh& mesh, const std::vector<int>& nodes) {
       }));
 }
 
-/// Whether a mesh adaptor chooses elements by the gaps of contacts, a filter in between or not.
+/// True if a mesh adaptor selects elements by the gaps of contacts, directly or through a filter.
 bool is_criterion_of_gaps(FECoreBase& adaptor) {
   for (FECoreBase* criterion = adaptor.GetProperty("criterion"); criterion != nullptr;
        criterion = criterion->GetProperty("data")) {
@@ -271,7 +271,8 @@ Motion ContactSetup::motion() const {
 }
 
 bool ContactSetup::decide_traction(const BoundContact& contact) {
-  // Only a step's own boundary conditions tell whether anything can move in it. A continued run has not read materials.
+  // Only the boundary conditions of the present step determine whether a node can move in it. After a restart, the
+  // materials have not been read yet.
   if (fields_at_contact_.empty()) {
     if (const auto found = materials()) {
       fields_at_contact_ = fields_of_model(*found);

@@ -1,4 +1,5 @@
-/// Setup of a contact: parameters, surfaces and materials of the model as the core takes them, and their faults.
+/// Setup of a contact from an FEBio model: parameters, surfaces and materials in the form of the core, and checks of
+/// them.
 #pragma once
 
 #include "ambient_concentration.h"
@@ -10,53 +11,54 @@
 #include <string>
 #include <vector>
 
+/// The ambient concentrations in a model file.
 using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
 
-/// The kind of the present step's solver.
+/// The solution method of the present step.
 SolverKind solver_kind_of(FEModel& fem);
-/// The time step in which elements store solvent [s]; 0 in a steady state.
+/// The time step in which elements store solvent [s]; 0 for a steady-state analysis.
 double storing_time_step(FEModel& fem);
-/// Whether the solvers of all steps can have multipliers of nodes as unknowns; the log gives the reason if not.
+/// True if the solvers of all steps accept nodal multipliers as unknowns; if false, the reason is logged.
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
 
+/// Sets up a sliding contact.
 class ContactSetup {
  public:
   ContactSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters,
                const AmbientConcentrations& ambient, const ContactLog& log)
       : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), ambient_(ambient), log_(log) {}
 
-  // Each function logs the faults, and returns whether there are none.
+  // The next functions log the faults that they find, and return true if there are none.
   bool check_parameters() const;
   bool check_surfaces() const;
   bool check_ambient() const;
   bool check_mesh_adaptors() const;
 
-  /// Makes the core from the materials. Returns false, and logs the reason, if that is impossible.
+  /// Makes the core from the materials. If that is impossible, logs the reason and returns false.
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
-  /// Sets penalties and tolerances by their load curves at this time; `reduction` reduces automatic penalties of the
-  /// traction.
+  /// Sets penalties and tolerances to their values at the present time. `reduction`: reduction of automatic traction
+  /// penalties.
   void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
-  /// Updates the laws by load curves, see update_laws(), where all values make sense. Returns whether they do; the log
-  /// says which do not.
+  /// Calls update_laws() if all values of load curves are valid. Otherwise it logs the invalid ones and returns false.
   bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
-  /// Whether a reduction changes any penalty.
+  /// True if reduced penalties have an effect on this contact.
   bool has_reducible_penalty() const;
-  /// Switches traction off where nothing can move in the present step of the analysis. Returns whether the requested
-  /// effects exist in this step.
+  /// Disables the traction if no node can move in the present analysis step. Returns true if the requested effects
+  /// exist in this step.
   bool decide_traction(const BoundContact& contact);
 
  private:
   bool has_sound_values() const;
   bool have_no_inner_facets() const;
-  /// The materials behind the facets, with a stiffness for rigid bodies that face rigid bodies alone.
+  /// The materials behind the facets. Rigid bodies that face only rigid bodies get a substitute stiffness.
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
   FrictionRequest friction_of_model(const FacetMaterials& materials) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
-  /// Whether an automatic penalty finds no element that it could be measured by.
+  /// True if an automatic penalty has no element on whose stiffness it can be based.
   bool lacks_stiffness(const FacetMaterials& materials) const;
   bool has_penalty(const BoundContact& contact) const;
   bool can_have_multipliers(const BoundContact& contact) const;
@@ -68,7 +70,7 @@ class ContactSetup {
   const ContactParameters& parameters_;
   const AmbientConcentrations& ambient_;
   const ContactLog& log_;
-  std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides allow
-  FrictionRequest friction_;                       ///< friction by parameters and materials
-  std::string summary_;                            ///< the last line of the log on the effects
+  std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides permit
+  FrictionRequest friction_;                       ///< friction by the parameters and materials
+  std::string summary_;                            ///< last line in the log about the exchanged effects
 };

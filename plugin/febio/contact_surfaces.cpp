@@ -15,7 +15,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// The nodes of each facet, in ascending order.
+/// The nodes of each facet, ascending.
 std::set<std::vector<int>> facet_nodes(const FESurface& surface) {
   std::set<std::vector<int>> facets;
   for (int i = 0; i < surface.Elements(); ++i) {
@@ -83,7 +83,7 @@ void ContactSurfaces::relocate_primary(const Matrix3Xd& positions) {
     node.m_rt = vec3d(positions(0, i), positions(1, i), positions(2, i));
     node.m_r0 = node.m_rt;
   }
-  // Elements keep their reference Jacobians, which FEBio evaluates at its start alone.
+  // Elements store their Jacobians in the reference configuration, which FEBio otherwise computes at its start only.
   FEMesh& mesh = primary_.GetFEModel()->GetMesh();
   for (int i = 0; i < mesh.Domains(); ++i) {
     auto* domain = dynamic_cast<FESolidDomain*>(&mesh.Domain(i));

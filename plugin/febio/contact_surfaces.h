@@ -1,4 +1,4 @@
-/// The two surfaces of a contact: positions of their nodes, and common facets.
+/// The two surfaces of a contact in FEBio.
 #pragma once
 
 #include "contact/interface/carried_state.h"
@@ -6,29 +6,31 @@
 
 #include <vector>
 
+/// The surfaces with the positions and numbers of their nodes.
 class ContactSurfaces {
  public:
   using Side = mixture_contact::Side;
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
 
-  /// `contact`: the contact that owns them.
+  /// `contact`: contact that owns the surfaces.
   ContactSurfaces(FEModel& fem, FEContactInterface& contact);
 
   FEMixtureSurface& operator[](Side side) { return side == Side::primary ? primary_ : secondary_; }
   const FEMixtureSurface& operator[](Side side) const { return side == Side::primary ? primary_ : secondary_; }
   PerSide<std::string> names() const;
-  /// How many facets both have in common.
+  /// The number of facets that both surfaces have in common.
   int common_facets() const;
 
-  /// Numbers in the mesh of the nodes of each surface.
+  /// For each surface, the numbers of its nodes in the mesh.
   mixture_contact::NodeNumbers node_numbers() const;
-  /// Whether facets of a surface may have changed since the last call.
+  /// True if facets of a surface may have changed since the last call.
   bool take_change();
-  /// The surface that has lost all its facets; null if there is none.
+  /// The surface that has lost all its facets; null if both have facets.
   const FEMixtureSurface* without_facets() const;
+  /// The present positions of the nodes of both surfaces [mm].
   PerSide<mixture_contact::Matrix3Xd> positions();
-  /// Moves the nodes of the primary surface, in the reference configuration.
+  /// Moves the nodes of the primary surface to these positions in the reference configuration.
   void relocate_primary(const mixture_contact::Matrix3Xd& positions);
 
  private:

@@ -18,7 +18,7 @@ void archive_facet(DumpStream& ar, Facet& facet) {
   for (int& node : facet.nodes) ar & node;
 }
 
-/// Dump streams know no 64-bit integers.
+/// Stores or reads a mask as two halves, because dump streams do not support 64-bit integers.
 void archive_mask(DumpStream& ar, FieldMask& mask) {
   constexpr FieldMask lower = 0xffffffffU;
   int low = indexing::as_int(mask & lower);
@@ -45,7 +45,7 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive_flags(ar, multipliers.flux_coupled);
 }
 
-/// What friction adds to a state.
+/// Stores or reads the part of a state that only contacts with friction have.
 void archive_friction(DumpStream& ar, ContactInterface::State& state) {
   for (Multipliers& multipliers : state.multipliers) {
     archive(ar, multipliers.friction);

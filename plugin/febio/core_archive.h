@@ -1,4 +1,4 @@
-/// Storage of the core's input, and its state, in FEBio's dump streams.
+/// Storage of the input and state of a contact core in FEBio's dump streams.
 #pragma once
 
 #include "contact/interface/interface.h"
@@ -7,6 +7,6 @@ class DumpStream;
 
 void archive_mesh(DumpStream& ar, mixture_contact::SurfaceMesh& mesh);
 void archive_effects(DumpStream& ar, mixture_contact::Effects& effects);
-/// `effects`: of the contact that the state is of.
+/// Writes the state of a contact core to an archive, or reads it. `effects`: effects of the contact.
 void archive_state(DumpStream& ar, mixture_contact::ContactInterface::State& state,
                    const mixture_contact::Effects& effects);

@@ -51,8 +51,8 @@ int DofMap::field(Side side, const mixture_contact::Effects& effects, int field)
   return solute < 0 ? pressure(side) : concentration(side, solute);
 }
 
-/// Forces on the back face of a rigid shell act on its body as those on its front do, but for the director's moment
-/// arm, along which a normal force turns nothing.
+/// Forces on the back face of a rigid shell act on the body's degrees of freedom in the same way as those on its front
+/// face. Only the moment arm differs by the director, and a normal force has no moment about it.
 const std::array<int, 3>& DofMap::displacements(Side side, const FENode& node) const {
   return node.m_rid >= 0 ? front_.displacements : displacements(side);
 }

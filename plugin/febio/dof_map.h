@@ -1,4 +1,4 @@
-/// FEBio's degrees of freedom of a contact's unknowns.
+/// The degrees of freedom and equations in FEBio of a contact's unknowns.
 #pragma once
 
 #include "contact_surfaces.h"
@@ -7,49 +7,53 @@
 
 #include <array>
 
+/// Finds the degrees of freedom at the nodes of the surfaces.
 class DofMap {
  public:
   DofMap(FEModel& fem, ContactSurfaces& surfaces) : fem_(fem), surfaces_(surfaces) {}
 
-  /// Finds the degrees of freedom of the module.
+  /// Looks up the degrees of freedom of the module.
   void init();
-  /// Takes the equations of multipliers, where they are unknowns, from this number on.
+  /// Assigns equations to unknown multipliers, from this number on.
   void number_multipliers(int first);
   void serialize(DumpStream& ar);
 
   using Side = mixture_contact::Side;
   const std::array<int, 3>& displacements(Side side) const { return of_face(side).displacements; }
-  /// -1 where the module has none.
+  /// Degree of freedom of the pressure; -1 if the module has none.
   int pressure(Side side) const { return of_face(side).pressure; }
   int concentration(Side side, int solute) const { return of_face(side).concentration + solute; }
-  /// Degrees of freedom at nodes, or on the back faces of shells; -1 where the module has no pressure.
+  /// Degree of freedom of the pressure at a node, or on the back face of its shell; -1 if the module has none.
   int pressure(bool is_back) const { return (is_back ? back_ : front_).pressure; }
+  /// Degree of freedom of a concentration at a node, or on the back face of its shell.
   int concentration(bool is_back, int solute) const { return (is_back ? back_ : front_).concentration + solute; }
   /// The number of solutes in the model.
   int concentrations() const { return concentrations_; }
   /// The degree of freedom of an exchanged field.
   int field(Side side, const mixture_contact::Effects& effects, int field) const;
+  /// Equation of the first unknown multiplier; -1 if there is none.
   int first_multiplier() const { return first_multiplier_; }
-  /// A node that belongs to no rigid body, and if possible to no linear constraint; -1 where there is none.
+  /// A node of the surfaces that belongs to no rigid body and, if possible, to no linear constraint; -1 if there is
+  /// none.
   int deformable_node() const;
-  /// Whether a surface has a node with an equation of its own.
+  /// True if a node of the surface has an equation of its own.
   bool has_free_node(Side side) const;
-  /// Whether a surface has a node of a rigid body that is free to move in some way.
+  /// True if a node of the surface belongs to a rigid body that can move.
   bool has_free_rigid_body(Side side) const;
 
-  /// The degrees of freedom of the forces on a node.
+  /// The degrees of freedom on which a force on the node acts.
   const std::array<int, 3>& displacements(Side side, const FENode& node) const;
-  /// Degrees of freedom of the rotations of rigid bodies, as their nodes have them.
+  /// The degrees of freedom of the rotations of rigid bodies, as their nodes store them.
   const std::array<int, 3>& rotations() const { return rotations_; }
-  /// A node of the mesh that stands for the block of multipliers.
+  /// A node of the mesh that represents the block of multipliers in FEBio's assembly (see multiplier_node_).
   int multiplier_node() const { return multiplier_node_; }
 
  private:
-  /// Degrees of freedom of a node: those of its position, or those of the back face of a shell.
+  /// Degrees of freedom at a node: those of its position, or those of the back face of a shell.
   struct FaceDofs {
     std::array<int, 3> displacements{-1, -1, -1};
     int pressure = -1;
-    int concentration = -1;  ///< of solute 0; the others follow
+    int concentration = -1;  ///< concentration of solute 0; the others follow
   };
   const FaceDofs& of_face(Side side) const { return surfaces_[side].has_shell_bottoms() ? back_ : front_; }
   FaceDofs face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
@@ -61,9 +65,9 @@ class DofMap {
   FaceDofs back_;
   std::array<int, 3> rotations_{-1, -1, -1};
   int concentrations_ = 0;     ///< number of solutes in the model
-  int first_multiplier_ = -1;  ///< equation; the others follow
-  /// FEBio assembles equations in blocks, one per node. A block that belongs to no node would be left out
-  /// of the coupling with rigid bodies, one of a rigid node be taken for a force on it: a deformable node stands for
-  /// the block of multipliers.
+  int first_multiplier_ = -1;  ///< equation of the first unknown multiplier; the others follow
+  /// FEBio assembles equations in blocks that each belong to a node. It would leave a block without a node out of the
+  /// coupling with rigid bodies, and treat a block of a rigid node as a force on the rigid body. A deformable node
+  /// therefore represents the block of multipliers.
   int multiplier_node_ = -1;
 };

@@ -1,4 +1,4 @@
-/// The attribute by which febio4 can look up a function by name.
+/// The attribute of functions that febio4 looks up by name.
 #pragma once
 
 #ifdef _WIN32

@@ -1,5 +1,4 @@
-/// Linear constraints of FEBio's models: degrees of freedom without equations of their own, because they depend on
-/// others.
+/// Linear constraints of FEBio's models: degrees of freedom without equations of their own that depend on others.
 #pragma once
 
 #include <map>
@@ -8,27 +7,29 @@
 
 class FEModel;
 
+/// The active linear constraints of a model.
 class LinearConstraints {
  public:
-  /// A degree of freedom that another one follows.
+  /// A degree of freedom on which a constrained one depends.
   struct Followed {
-    int equation;   ///< its own, or the code of a prescribed value
-    double factor;  ///< by which the other one changes with it
+    int equation;   ///< equation of the degree of freedom, or the code of a prescribed value
+    double factor;  ///< derivative of the constrained degree of freedom by this one
   };
 
-  /// Takes the constraints that are active in the present analysis step.
+  /// Reads the constraints that are active in the present analysis step.
   explicit LinearConstraints(FEModel& model);
 
   bool empty() const { return followed_.empty(); }
-  /// Whether any degree of freedom of a node of the mesh follows others.
+  /// True if a degree of freedom of this node of the mesh depends on others.
   bool bind(int node) const;
-  /// The displacements that determine a displacement (dof 0, 1 or 2 of its node in the mesh); null if it is
+  /// The displacements on which a displacement depends (dof 0, 1 or 2 of its node in the mesh); null if it is
   /// independent.
   const std::vector<Followed>* of(int node, int dof) const;
 
  private:
-  std::map<std::pair<int, int>, std::vector<Followed>> followed_;  ///< by node and degree of freedom
+  /// Keys: node and degree of freedom of the constrained displacement.
+  std::map<std::pair<int, int>, std::vector<Followed>> followed_;
 };
 
-/// Whether a model has any, active or not.
+/// True if the model has linear constraints, active or not.
 bool has_linear_constraints(FEModel& model);

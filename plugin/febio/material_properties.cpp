@@ -38,15 +38,15 @@ std::unique_ptr<FEMaterialPoint> reference_copy(FEMaterialPoint& original) {
   return copy;
 }
 
-/// Mean of the reference positions of an element's nodes.
+/// The mean of the reference positions of an element's nodes.
 vec3d centre(FEModel& fem, const FEElement& element) {
   vec3d sum(0, 0, 0);
   for (const int node : element.m_node) sum += fem.GetMesh().Node(node).m_r0;
   return sum / element.Nodes();
 }
 
-/// Young's modulus along n of an elasticity tensor: the inverse of the compliance's component (n n):S:(n n), with S :
-/// (n n) the strain of the stress n n. In Voigt's notation, from engineering strains to stresses.
+/// Young's modulus along n of an elasticity tensor: the inverse of the component (n n):S:(n n) of the compliance S,
+/// where S:(n n) is the strain under the stress n n. In Voigt notation, from engineering strains to stresses.
 double modulus_along(const vec3d& n, const tens4ds& elasticity) {
   using Voigt = Eigen::Matrix<double, 6, 1>;
   const Voigt stress{{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z}};
@@ -58,7 +58,7 @@ double modulus_along(const vec3d& n, const tens4ds& elasticity) {
   return 1.0 / stress.dot(strain);
 }
 
-/// Porosity of any mixture material.
+/// Porosity of any mixture material; 0 for other materials.
 double porosity(FEMaterial& material, FEMaterialPoint& point) {
   if (auto* m = dynamic_cast<FEBiphasic*>(&material)) return m->Porosity(point);
   if (auto* m = dynamic_cast<FEBiphasicSolute*>(&material)) return m->Porosity(point);
@@ -80,7 +80,7 @@ double stiffness_of(const MaterialParts& parts, FEMaterialPoint& point, const ve
   return parts.solid == nullptr ? 0 : modulus_along(n, parts.solid->Tangent(point));
 }
 
-/// The modulus along x of the first element of a domain; 0 where it has none.
+/// The modulus along x of the first element of a domain; 0 if it has none.
 double modulus_of(FEDomain& domain) {
   if (dynamic_cast<FESolidDomain*>(&domain) == nullptr || domain.Elements() == 0) return 0;
   if (domain.GetMaterial() == nullptr) return 0;
@@ -92,7 +92,7 @@ double modulus_of(FEDomain& domain) {
   return std::isfinite(modulus) ? modulus : 0;
 }
 
-/// Mean of the solvent flux at an element's material points.
+/// The mean of the solvent flux at an element's material points.
 vec3d mean_flow(FEElement& element) {
   vec3d sum(0, 0, 0);
   for (int i = 0; i < element.GaussPoints(); ++i) {
@@ -102,7 +102,8 @@ vec3d mean_flow(FEElement& element) {
   return sum / element.GaussPoints();
 }
 
-/// Solute conductance, diffusive and convective: phi_w kappa~ d + kappa~ (d/d0) |w_n| h, over the thickness h.
+/// The solute conductance from diffusion and convection: phi_w kappa~ d + kappa~ (d/d0) |w_n| h, divided by the
+/// thickness h.
 double solute_conductance(FEMaterial& material, const FESolute& solute, FEMaterialPoint& point, const vec3d& n,
                           double convection, double thickness) {
   const double diffusivity = n * (solute.m_pDiff->Diffusivity(point) * n);
@@ -116,7 +117,7 @@ double solute_conductance(FEMaterial& material, const FESolute& solute, FEMateri
 struct FacetGeometry {
   FEElement* element = nullptr;
   double volume = 0;
-  double thickness = 0;  ///< the element's volume over the area of the facet
+  double thickness = 0;  ///< volume of the element divided by the area of the facet
   vec3d normal;
 };
 
@@ -129,7 +130,7 @@ FacetGeometry geometry_of(FEModel& fem, FESurface& surface, FESurfaceElement& fa
   return {&element, volume, std::abs(volume) / surface.FaceArea(facet), n};
 }
 
-/// What is wrong with a facet and its element; empty if nothing is.
+/// The fault of a facet and its element; empty if there is none.
 std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetGeometry& geometry, bool is_rigid) {
   const std::string element = "element " + std::to_string(geometry.element->GetID());
   if (!is_rigid && (!(geometry.thickness > 0) || geometry.volume < 0))
@@ -142,7 +143,7 @@ std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetG
          "<flip_secondary> turn the surfaces round)";
 }
 
-/// The material of a facet in the undeformed state; its stiffness is not positive where the material is unknown.
+/// The material of a facet in the undeformed state. Its stiffness is not positive if the material is not supported.
 FacetMaterial properties_of(const MaterialParts& parts, const FacetGeometry& geometry) {
   FacetMaterial result;
   result.thickness = geometry.thickness;
@@ -183,7 +184,7 @@ std::optional<FacetMaterial> MaterialReader::behind(FESurface& surface, FESurfac
   if (last_.material != &material) last_ = parts_of(material);
   problem = problem_of(fem_, facet, geometry, last_.rigid != nullptr);
   if (!problem.empty()) return std::nullopt;
-  // Rigid shells need no thickness.
+  // The size of the facet replaces the thickness, which rigid shells may lack.
   if (!(geometry.thickness > 0)) geometry.thickness = std::sqrt(surface.FaceArea(facet));
   FacetMaterial result = properties_of(last_, geometry);
   if (result.stiffness > 0) return result;

@@ -1,4 +1,5 @@
-/// The properties of the material behind a facet that the contact needs, read from FEBio without touching its state.
+/// Properties of the material behind a facet that the contact requires, read from FEBio without a change of FEBio's
+/// state.
 #pragma once
 
 #include "host/facet_material.h"
@@ -16,36 +17,38 @@ class FEModel;
 class FERigidMaterial;
 class FESoluteInterface;
 
-/// The part of a material that each property comes from; null if it has none. Casts find them by names, which takes
-/// longer than the properties themselves.
+/// The parts of a material from which its properties are read; null if the material has no such part. They are stored
+/// because the casts that find them take longer than reading the properties.
 struct MaterialParts {
   FEMaterial* material = nullptr;
   FERigidMaterial* rigid = nullptr;
-  FEElasticMaterial* solid = nullptr;  ///< of a mixture its matrix, which carries the drained stiffness
+  /// Elastic material; for a mixture the solid matrix, whose stiffness is the drained one.
+  FEElasticMaterial* solid = nullptr;
   FEHydraulicPermeability* permeability = nullptr;
   FESoluteInterface* solutes = nullptr;
 };
 
+/// Finds the parts of a material.
 MaterialParts parts_of(FEMaterial& material);
 
 /// Reads the materials behind facets.
 class MaterialReader {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to the model.
   explicit MaterialReader(FEModel& fem) : fem_(fem) {}
 
-  /// The material behind a facet. Empty if contact cannot act on it; `problem` then gives the reason in a sentence.
-  /// Works on a copy of the material point, so the element's deformation and stress stay as they are.
+  /// The material behind a facet. Empty if contact cannot act on the material; `problem` then contains the reason as a
+  /// sentence. It uses a copy of the material point, so that the element's deformation and stress do not change.
   std::optional<FacetMaterial> behind(FESurface& surface, FESurfaceElement& facet, std::string& problem);
 
  private:
   FEModel& fem_;
-  MaterialParts last_;  ///< most facets have that of the one before
+  MaterialParts last_;  ///< parts of the last material, which most often is also the next one
 };
 
-/// The stiffness of rigid bodies that touch each other, for lack of any element that could be
-/// measured: Young's modulus over 1 - nu^2 of a rigid material, which FEBio's own interfaces take, too, but no less
-/// than the largest modulus of the deformable materials [MPa].
+/// The substitute for the stiffness of rigid bodies in contact with each other [MPa], where no deformable element
+/// provides one: E/(1 - nu^2) of a rigid material, which FEBio's own interfaces use as well, but at least the largest
+/// modulus of the deformable materials.
 double modulus_of_rigid_bodies(FEModel& fem);
 
 /// Names of the model's solutes, in the order of their concentrations.

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// That of a step of the analysis; null where it is none of Newton's kind.
+/// The Newton solver of a step of the analysis; null if the step has another kind of solver.
 FENewtonSolver* newton_solver(FEModel& model, int step) {
   return dynamic_cast<FENewtonSolver*>(model.GetStep(step)->GetFESolver());
 }
@@ -38,7 +38,7 @@ void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log) {
 
 bool takes_any_structure(FEModel& model) {
   const FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
-  // A symmetric matrix is made non-symmetric; "preferred" may mean one of a symmetric structure.
+  // A matrix set to be symmetric is made non-symmetric. The setting "preferred" may lead to a symmetric structure.
   return solver != nullptr && (solver->m_msymm == REAL_UNSYMMETRIC || solver->m_msymm == REAL_SYMMETRIC);
 }
 
@@ -49,7 +49,7 @@ bool takes_mixed_form(FEModel& model) {
   const MatrixStrategy strategy = newton::FEBioSystem(model, present).strategy();
   if (solver == nullptr || strategy == MatrixStrategy::preconditioner || strategy == MatrixStrategy::residuals_alone)
     return false;
-  // Of a matrix that is to have a symmetric structure pardiso neither scales rows nor matches pivots.
+  // For matrices of symmetric structure, pardiso neither scales rows nor matches pivots.
   return takes_any_structure(model) && takes_mixed_form(linear_solver_type(*solver));
 }
 

@@ -1,4 +1,4 @@
-/// <solute_permeance> and <reflection>: the coefficients of a membrane for one solute.
+/// The properties <solute_permeance> and <reflection> of a contact: membrane coefficients of one solute.
 #pragma once
 
 #include "host/contact_parameters.h"
@@ -9,41 +9,42 @@
 
 class FEModel;
 
-/// Read as <ambient_concentration> is: <solute_permeance sol="name">P</solute_permeance> per solute, where sol is the
-/// solute's name or id. The value follows its load curve (attribute lc).
+/// The permeance of a membrane: <solute_permeance sol="name">P</solute_permeance> for each solute, where sol is the
+/// name or id of the solute. The value may follow a load curve (attribute lc).
 class FEMixtureSolutePermeance : public FECoreClass {
  public:
   explicit FEMixtureSolutePermeance(FEModel* fem) : FECoreClass(fem) {}
 
-  int solute = 0;    ///< solute id of the model file, 1 and up; 0 if not given
-  double value = 0;  ///< P [length/time]
+  int solute = 0;    ///< id of the solute in the model file, from 1; 0 if not given
+  double value = 0;  ///< permeance P [length/time]
 
   DECLARE_FECORE_CLASS()
   FECORE_BASE_CLASS(FEMixtureSolutePermeance)
 };
 
-/// Read likewise: <reflection sol="name">sigma</reflection>.
+/// The reflection coefficient of a membrane: <reflection sol="name">sigma</reflection> for each solute, where sol is
+/// the name or id of the solute. The value may follow a load curve (attribute lc).
 class FEMixtureReflection : public FECoreClass {
  public:
   explicit FEMixtureReflection(FEModel* fem) : FECoreClass(fem) {}
 
-  int solute = 0;    ///< as that of the permeance
-  double value = 0;  ///< sigma [-]
+  int solute = 0;    ///< id of the solute in the model file, from 1; 0 if not given
+  double value = 0;  ///< reflection coefficient sigma [-]
 
   DECLARE_FECORE_CLASS()
   FECORE_BASE_CLASS(FEMixtureReflection)
 };
 
-/// The values that a model gives a membrane per solute.
+/// All membrane coefficients of a contact with one value per solute.
 struct MembraneProperties {
   std::vector<FEMixtureSolutePermeance*> permeances;
   std::vector<FEMixtureReflection*> reflections;
 };
 
-/// Sets the values of a membrane by the model and its load curves.
+/// Sets the parameters of a membrane to the present values of the properties.
 void read_membrane(const MembraneProperties& properties, MembraneParameters& membrane);
 
-/// The values of properties with a solute each.
+/// The values of properties, each with its solute.
 template <class Property>
 std::vector<SoluteValue> solute_values(const std::vector<Property*>& properties) {
   std::vector<SoluteValue> values;

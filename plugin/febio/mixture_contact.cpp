@@ -50,7 +50,7 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       setup_(*fem, surfaces_, dofs_, parameters_, properties_.ambient, log_),
       assembly_(bound_, surfaces_, dofs_, loads_),
       output_(bound_, surfaces_, log_) {
-  // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
+  // For any enforcement by the user, FEBio has to call Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
   model_->add(*this);
@@ -106,8 +106,8 @@ int FEMixtureContact::InitEquations(int first) {
 }
 
 PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
-  // FEBio tries a step again with the unknowns that it began with, though elements may have eroded in it; and a matrix
-  // with linear constraints takes whole blocks alone.
+  // Loads are no unknowns in two cases. FEBio repeats a failed step with the same unknowns, but elements may have
+  // eroded in it; and a matrix with linear constraints accepts only whole blocks.
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
   const bool any = owner_ == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) &&
                    core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
@@ -149,7 +149,7 @@ void FEMixtureContact::Activate() {
 
 void FEMixtureContact::Deactivate() {
   FEContactInterface::Deactivate();
-  if (bound_.is_built()) core().forget_steps();  // FEBio deactivates what belongs to a step as it reads it
+  if (bound_.is_built()) core().forget_steps();  // FEBio deactivates the contacts of a step when it reads the step
   model_->steps().reset_rounds();                // the set of active contacts has changed
 }
 
@@ -164,7 +164,7 @@ void FEMixtureContact::PrepStep() {
 
 void FEMixtureContact::Update() {
   read_properties();
-  // FEBio prepares no steps for contacts where its solver is none of Newton's kind.
+  // FEBio does not prepare contacts for a step if its solver is not of Newton's kind.
   if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   model_->steps().evaluate(&bound_);
 }
@@ -175,7 +175,7 @@ void FEMixtureContact::Update(const std::vector<double>& total, const std::vecto
 }
 
 void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
-  // FEBio's solver for solids leaves equations that are not nodes' to their owners.
+  // FEBio's solver for solids does not update the values of equations that belong to no node.
   const int first = dofs_.first_multiplier();
   for (Index n = first; n < first + multiplier_layout(core()).size(); ++n)
     mixture_contact::at(total, n) += mixture_contact::at(increment, n);

@@ -1,4 +1,4 @@
-/// The contact interface <contact type="sliding-mixture">: FEBio's side of the contact core.
+/// The contact interface <contact type="sliding-mixture"> in FEBio.
 #pragma once
 
 #include "assembly.h"
@@ -14,13 +14,14 @@
 #include <string>
 #include <vector>
 
-/// The values that the model gives for each solute.
+/// The properties of a contact in the model file that have one value per solute.
 struct ContactProperties {
   AmbientConcentrations ambient;
   MembraneProperties membrane;
 };
 
-/// The interface that a contact acts for, which has the tag in the model.
+/// Another interface to which a sliding contact belongs, such as a tie whose broken nodes are in sliding contact. Only
+/// the owner is in the model file.
 class ContactOwner {
  public:
   ContactOwner() = default;
@@ -30,15 +31,16 @@ class ContactOwner {
   ContactOwner& operator=(ContactOwner&&) = delete;
   virtual ~ContactOwner() = default;
 
-  /// Sets the parameters of its contact as they are at this time.
+  /// Sets the parameters of the contact to their present values.
   virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// Whether the owner of the contact accepts a solution that the contact accepts.
+  /// True if the owner accepts a solution that the contact has accepted.
   virtual bool accepts_solution() = 0;
-  /// A time step has been solved, and the contact has accepted it.
+  /// Called after a time step has been solved and accepted by the contact.
   virtual void step_solved() = 0;
 };
 
-/// Passes FEBio's calls on: those of the contact itself to its parts, those that concern all contacts to the model's.
+/// Receives FEBio's calls. It passes calls that concern this contact to its parts, and those that concern all contacts
+/// to ModelContacts.
 class FEMixtureContact : public FEContactInterface, public ContactInModel {
  public:
   explicit FEMixtureContact(FEModel* fem);
@@ -67,7 +69,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   FESurface* GetSecondarySurface() override { return &surfaces_[mixture_contact::Side::secondary]; }
   bool UseNodalIntegration() override { return false; }
 
-  /// Acts for another interface. Keeps a reference.
+  /// Makes the contact belong to another interface, to which it keeps a reference.
   void act_for(ContactOwner& owner) { owner_ = &owner; }
 
   bool is_active() const override { return IsActive(); }
@@ -79,12 +81,12 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
 
  private:
   mixture_contact::ContactInterface& core() const { return bound_.core(); }
-  /// Reads the properties that the model or an owner gives.
+  /// Reads the properties of the model or of the owner.
   void read_properties();
   void find_self_contact();
-  /// Elements have eroded, or meshes have been refined: the contact continues with the present facets.
+  /// Continues with the present facets of the surfaces, after elements have eroded or meshes have been refined.
   void follow_surfaces();
-  /// Surfaces whose nodes' loads are unknowns of the matrix, where both surfaces have equations of their own.
+  /// The surfaces whose nodal loads are unknowns of the matrix; none unless both surfaces have equations of their own.
   mixture_contact::PerSide<bool> surfaces_with_load_equations() const;
 
   std::shared_ptr<ModelContacts> model_;
@@ -98,9 +100,10 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   ContactSetup setup_;
   Assembly assembly_;
   ContactOutput output_;
-  ContactOwner* owner_ = nullptr;  ///< null: the contact has a tag of its own
+  ContactOwner* owner_ = nullptr;  ///< null if the contact is in the model file itself
+  /// True if nodes that overlapped have been relocated before the first step.
   bool relocated_ = false;
-  bool may_run_ = true;  ///< the requested effects exist in the present step
+  bool may_run_ = true;  ///< true if the requested effects exist in the present step
 
   DECLARE_FECORE_CLASS()
 };

@@ -19,7 +19,7 @@ namespace {
 
 vec3d to_febio(const mixture_contact::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
-/// The point that CreateMaterialPoint() has made.
+/// The point that CreateMaterialPoint() has made for an integration point.
 FEBiphasicContactPoint& contact_point(FESurfaceElement& element, int q) {
   return static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
 }
@@ -29,10 +29,10 @@ bool is_triangular(const FESurfaceElement& element) {
          element.Shape() == ET_TRI10;
 }
 
-/// A facet of FEBio's: its type and its nodes in the mesh.
+/// A facet in FEBio: its type and its nodes in the mesh.
 using FacetInMesh = std::pair<int, std::vector<int>>;
 
-/// Makes the facets of a surface anew.
+/// Replaces the facets of a surface.
 void create(FESurface& surface, const std::vector<FacetInMesh>& facets) {
   const int count = mixture_contact::number_of(facets);
   surface.Create(count);
@@ -131,7 +131,7 @@ void FEMixtureSurface::store_friction(FESurfaceElement& element) {
 }
 
 void FEMixtureSurface::turn_round() {
-  std::map<int, int> local;  // by the node's index in the mesh
+  std::map<int, int> local;  // number of each node on the surface, by its index in the mesh
   for (int i = 0; i < Nodes(); ++i) local[NodeIndex(i)] = i;
   Invert();
   for (int face = 0; face < Elements(); ++face) {
@@ -142,7 +142,7 @@ void FEMixtureSurface::turn_round() {
 }
 
 bool FEMixtureSurface::faces_front() {
-  double along = 0;  // the director, in which the front face lies
+  double along = 0;  // sum of normal.director over all facets
   for (int face = 0; face < Elements(); ++face) {
     const FESurfaceElement& element = Element(face);
     const auto& nodes = element.m_lnode;
@@ -161,7 +161,7 @@ void FEMixtureSurface::take_shell_bottoms() {
 vec3d FEMixtureSurface::position(int node) {
   const FENode& place = Node(node);
   if (!has_shell_bottoms_) return place.m_rt;
-  // FEBio does not turn the directors of rigid shells.
+  // FEBio does not rotate the directors of rigid shells.
   auto* mechanics = dynamic_cast<FEMechModel*>(GetFEModel());
   if (place.m_rid < 0 || mechanics == nullptr) return place.st();
   return place.m_rt - mechanics->GetRigidBody(place.m_rid)->GetRotation() * place.m_d0;
@@ -274,7 +274,8 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
   FESurfaceElement& element = Element(face);
   double pressure[FEElement::MAX_NODES] = {};
   GetNodalContactPressure(face, pressure);
-  const auto type = facet_type(element).value_or(mixture_contact::FacetType::quad4);  // known since the contact began
+  // The facet types were checked when the contact began.
+  const auto type = facet_type(element).value_or(mixture_contact::FacetType::quad4);
   for (int a = 0; a < element.Nodes(); ++a) {
     const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);
@@ -284,7 +285,7 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
 }
 
 void FEMixtureSurface::Serialize(DumpStream& ar) {
-  // This is output of the last step that was accepted, on which no step depends, or never changes.
+  // The stored data are output of the last accepted step, on which no step depends, or constants.
   if (ar.IsShallow()) return;
   FEBiphasicContactSurface::Serialize(ar);
   archive(ar, nodal_.gap);

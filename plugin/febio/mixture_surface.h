@@ -1,4 +1,4 @@
-/// A surface of the contact for FEBio: geometry, and the values of FEBio's own plot variables.
+/// A contact surface in FEBio: its geometry, and the values of FEBio's contact plot variables.
 #pragma once
 
 #include "contact/interface/output.h"
@@ -10,47 +10,48 @@
 #include <utility>
 #include <vector>
 
-/// The core's type of a facet; none where the core does not know it.
+/// The core's type of a facet; empty if the core does not support it.
 std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element);
 
+/// A surface of a sliding contact or a tie.
 class FEMixtureSurface : public FEBiphasicContactSurface {
  public:
   explicit FEMixtureSurface(FEModel* fem) : FEBiphasicContactSurface(fem) {}
 
-  /// Begins with the facets that are active: FEBio's erosion calls this, too, where it has made some inactive or has
-  /// made others.
+  /// Initialises the surface with its active facets. FEBio also calls it after erosion, when facets have become
+  /// inactive or new ones have been added.
   bool Init() override;
-  /// Takes the facets of another surface, on which this one lies.
+  /// Copies the facets of another surface, because this surface has the same facets.
   void take_facets_of(const FEMixtureSurface& other);
-  /// Whether facets may have changed since the last call.
+  /// True if facets may have changed since the last call.
   bool take_change() { return std::exchange(has_changed_, false); }
 
-  /// One FEBiphasicContactPoint per integration point of FEBio's rule; it carries output only.
+  /// Makes a material point per integration point of FEBio's rule; these points contain output only.
   FEMaterialPoint* CreateMaterialPoint() override { return new FEBiphasicContactPoint; }
 
-  /// Takes the values at the nodes and the totals of this surface for output, and hands them on to FEBio's material
-  /// points. `exchanged`: the solute of each exchanged field, -1 for the solvent.
+  /// Stores nodal values and totals of this surface for output, and copies them to FEBio's material points.
+  /// `exchanged`: solute of each exchanged field, -1 for the solvent.
   void store_output(const mixture_contact::NodalOutput& nodal, const mixture_contact::Balance& total,
                     const std::vector<int>& exchanged);
 
   const mixture_contact::NodalOutput& nodal_output() const { return nodal_; }
-  /// Totals as they act on this surface by its contact alone; flows out of this surface's body.
+  /// Totals on this surface from its own contact; flows are positive out of this surface's body.
   const mixture_contact::Balance& total() const { return total_; }
-  /// The surfaces of this name in the active contacts of the model, one of each contact: a record of the log names a
-  /// surface, which several contacts may share.
+  /// The surfaces with this name in all active contacts of the model. A record in the log refers to a surface by its
+  /// name, which several contacts may share.
   std::vector<const FEMixtureSurface*> of_all_contacts();
-  /// Row of a solute (-1: the solvent) in flux, jump and flow; -1 where it is not exchanged.
+  /// The row of a solute (-1: the solvent) in flux, jump and flow; -1 if it is not exchanged.
   int exchanged_field(int solute) const;
 
-  /// Takes the back faces of shells for this surface: the nodes' positions less their directors. Facets that are listed
-  /// as those of the front face are turned round.
+  /// Uses the back faces of shells for this surface: positions of nodes minus their directors. Facets that are listed
+  /// as front faces are reversed.
   void take_shell_bottoms();
   bool has_shell_bottoms() const { return has_shell_bottoms_; }
-  /// The present position of a node on this surface.
+  /// The present position of a node of this surface.
   vec3d position(int node);
 
-  /// Turns the facets round, so that they face the other way. FESurface::Invert() alone leaves their local node
-  /// numbers.
+  /// Reverses the facets, such that they face the opposite direction. FESurface::Invert() does not reverse the local
+  /// node numbers.
   void turn_round();
 
   vec3d GetContactForce() override;
@@ -69,7 +70,7 @@ class FEMixtureSurface : public FEBiphasicContactSurface {
 
  private:
   void drop_inactive_facets();
-  /// Whether the facets are listed as those of the front faces of shells.
+  /// True if the facets are listed as front faces of shells.
   bool faces_front();
   void store_friction(FESurfaceElement& element);
   /// The mean over the points of a facet.

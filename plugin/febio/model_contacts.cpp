@@ -35,13 +35,13 @@ using mixture_contact::SteppedContact;
 
 namespace {
 
-/// The objects of all models, which own themselves by way of their contacts: an entry ends with the last contact.
+/// The shared objects of all models. Each is owned by its contacts, and its entry expires with the last contact.
 std::map<const FEModel*, std::weak_ptr<ModelContacts>>& registry() {
   static std::map<const FEModel*, std::weak_ptr<ModelContacts>> entries;
   return entries;
 }
 
-/// FEBio keeps callbacks of contacts that are gone.
+/// FEBio keeps callbacks of contacts that no longer exist.
 // NOLINTNEXTLINE(misc-const-correctness): the type that FEBio gives a callback
 bool call_back(FEModel* fem, unsigned int when, void* contacts) {
   const auto entry = registry().find(fem);
@@ -50,27 +50,27 @@ bool call_back(FEModel* fem, unsigned int when, void* contacts) {
   return true;
 }
 
-/// Writes a line into the log, where there is one.
+/// Writes a line to the log, unless it is empty.
 void say(FEModel& fem, const std::string& line) {
   if (!line.empty()) feLogEx(&fem, "\n%s\n", line.c_str());
 }
 
-/// Whether a solver's residual is the sum of what stands in the model, each by way of a FEResidualVector.
+/// True if a solver's residual is the plain sum of the parts of the model, each added through a FEResidualVector.
 bool adds_up_residuals(const FENewtonSolver& solver) {
-  // The arc-length method scales what is external, and the logarithmic one transforms the sum.
+  // The arc-length method scales external loads, and the logarithmic one transforms the sum.
   if (const auto* solids = dynamic_cast<const FESolidSolver2*>(&solver))
     return solids->m_arcLength == 0 && !solids->m_logSolve;
   return has_known_totals(solver);
 }
 
-/// Whether the formed matrix predicts which nodes open and close: FEBio's solution has to be that of its right-hand
-/// side alone.
+/// True if the assembled matrix predicts which nodes open and close. This requires that FEBio's solution depends on its
+/// right-hand side only.
 bool asks_the_matrix(const ModelDevices& devices, const newton::FEBioSolver& solver) {
   return devices.is_on(newton::Device::active_set_prediction) && adds_up_residuals(*solver.febio());
 }
 
-/// Adds what the changed loads of contacts make of a residual. Returns false, and adds nothing, where part of it is not
-/// known.
+/// Adds the changes of a residual by the changed loads of contacts. If a part of them is unknown, it adds nothing and
+/// returns false.
 bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std::vector<double>& residual) {
   std::vector<double> change(residual.size());
   std::vector<double> reactions(residual.size());
@@ -83,7 +83,7 @@ bool add_changes(FEModel& fem, const std::vector<ContactInModel*>& contacts, std
   return is_known;
 }
 
-/// Whether a helper has its own switch on: as the active contacts say that give it, or by its default.
+/// True if the switch of a helper is on, as set by the first active contact that sets it, or by default.
 bool is_asked_for(const HelperSwitch& which, const std::vector<ContactInModel*>& active) {
   if (active.empty()) return false;
   const auto given = std::find_if(active.begin(), active.end(), [&](ContactInModel* contact) {
@@ -92,12 +92,12 @@ bool is_asked_for(const HelperSwitch& which, const std::vector<ContactInModel*>&
   return which.of(given == active.end() ? ContactParameters() : (*given)->bound().parameters()).value;
 }
 
-/// Whether no other contact and no constraint of FEBio's couples nodes.
+/// True if no other contact and no constraint of FEBio couples nodes.
 bool are_alone(const std::vector<ContactInModel*>& active, FEModel& fem) {
   return mixture_contact::number_of(active) == fem.SurfacePairConstraints() && fem.NonlinearConstraints() == 0;
 }
 
-/// Whether FEBio adds stiffness of loads to the matrix when contacts have added theirs.
+/// True if FEBio adds the stiffness of loads to the matrix after that of contacts.
 bool adds_loads_last(FEModel& fem, const FENewtonSolver& solver) {
   if (dynamic_cast<const FESolidSolver2*>(&solver) != nullptr) return false;
   for (int i = 0; i < fem.ModelLoads(); ++i) {
@@ -107,7 +107,7 @@ bool adds_loads_last(FEModel& fem, const FENewtonSolver& solver) {
   return false;
 }
 
-/// Notes how far bodies overlap at the end of a step in which penalties are reduced.
+/// Notes the largest overlaps at the end of a step with reduced penalties.
 void note_overlap(const std::vector<ContactInModel*>& contacts, double time, ReduciblePenalties& reducible) {
   for (ContactInModel* each : contacts) {
     if (!reducible.are_reduced() || !each->has_reducible_penalty()) continue;
@@ -117,7 +117,7 @@ void note_overlap(const std::vector<ContactInModel*>& contacts, double time, Red
   reducible.accept();
 }
 
-/// The square of what rounding of positions makes of the loads of contacts [N^2].
+/// The squared norm of the error of contact loads by the rounding of positions [N^2].
 double load_rounding_square(const std::vector<ContactInModel*>& contacts) {
   double sum = 0;
   for (ContactInModel* contact : contacts)
@@ -125,7 +125,7 @@ double load_rounding_square(const std::vector<ContactInModel*>& contacts) {
   return sum;
 }
 
-/// Has loads that are unknowns follow from the rows of their nodes.
+/// Eliminates the nodes' unknowns from the rows of loads that are unknowns.
 newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, FEGlobalMatrix& matrix) {
   newton::RowOperations operations;
   for (const ContactInModel* contact : contacts) {
@@ -135,13 +135,13 @@ newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, F
   return operations;
 }
 
-/// Whether a step that has failed is tried again.
+/// True if a failed step will be repeated.
 bool will_retry(FEModel& fem) {
   const FETimeStepController* const controller = fem.GetCurrentStep()->m_timeController;
   return controller != nullptr && controller->m_nretries < controller->m_maxretries;
 }
 
-/// Reduces penalties where steps fail.
+/// Reduces penalties after a failed step.
 void reduce_penalties(FEModel& fem, const std::vector<ContactInModel*>& contacts, ReduciblePenalties& reducible) {
   const auto is_reducible = [](ContactInModel* contact) { return contact->has_reducible_penalty(); };
   if (!will_retry(fem) || std::none_of(contacts.begin(), contacts.end(), is_reducible)) return;
@@ -248,7 +248,7 @@ std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) cons
 void ModelContacts::activate(ContactInModel& contact) {
   unactivated_.erase(&contact);
   steps_.activate(contact.bound());
-  // Nodes that contacts share depend on all of them.
+  // The ambient values of nodes that several contacts share depend on all of these contacts.
   const std::vector<ContactInModel*> contacts = active();
   const bool all_known = std::none_of(contacts.begin(), contacts.end(),
                                       [&](const auto* other) { return unactivated_.count(other) > 0; });
@@ -305,7 +305,7 @@ void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
 void ModelContacts::on_callback(unsigned int when) {
   const std::vector<ContactInModel*> contacts = when == CB_SOLVED ? contacts_ : active();
   if (contacts.empty()) return;
-  // A mesh adaptor may have numbered the unknowns anew since FEBio stored the state that it tries a step again with.
+  // A mesh adaptor may have renumbered the unknowns since FEBio saved the state with which it repeats a step.
   if (when == CB_UPDATE_TIME && fem_.MeshAdaptors() > 0 && solver_.is_newton()) begin_at_nodal_values(*solver_.febio());
   if (when == CB_MATRIX_REFORM && solver_.is_newton()) {
     steps_.matrix_formed();
@@ -374,10 +374,10 @@ MatrixUse ModelContacts::matrix_use() {
 
 void ModelContacts::rejected(int n, GoesOn with) {
   if (!solver_.is_newton()) return;
-  // FEBio counts reformations anew after this: the limit on them is to hold all the same.
+  // FEBio resets its count of matrices after this call, but the limit has to apply to the whole step.
   if (with == GoesOn::correction) return matrix_.keep_next();
   if (n > system_.most_matrices()) throw MaxStiffnessReformations();
-  // Other nodes may be in contact: quasi-Newton methods would go on with the matrix of those that were.
+  // Other nodes may be in contact: quasi-Newton methods would continue with the matrix of the previous ones.
   matrix_.force_next();
 }
 

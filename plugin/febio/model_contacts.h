@@ -1,4 +1,4 @@
-/// The data that the contacts of a model share: one object for each model, kept alive by its contacts.
+/// The data that all contacts of a model share. The contacts keep this object alive.
 #pragma once
 
 #include "ambient_conditions.h"
@@ -16,36 +16,38 @@
 class DumpStream;
 class FEGlobalMatrix;
 
+/// Coordinates all contacts of a model with FEBio's solver.
 class ModelContacts : public mixture_contact::SteppedModel {
  public:
   explicit ModelContacts(FEModel& fem);
 
-  /// The object that the contacts of a model share.
+  /// The object shared by the contacts of a model.
   static std::shared_ptr<ModelContacts> of(FEModel& fem);
 
   void add(ContactInModel& contact);
   void remove(ContactInModel& contact);
-  /// The faults of the switches of helpers that a contact gives, given those of the others: a sentence each.
+  /// The faults of the solver switches of a contact in combination with those of other contacts, one sentence each.
   std::vector<std::string> complaints(ContactInModel& contact) const;
 
-  // FEBio's calls, passed on by each contact
+  // Calls of FEBio that each contact passes on.
   void activate(ContactInModel& contact);
   void prepare_step(ContactInModel& contact);
   mixture_contact::ContactSteps& steps() { return steps_; }
-  /// Stores the data that the model keeps between steps once, with the first contact that is stored.
+  /// Stores or reads the data that the model keeps between steps, once per archive, with the first contact.
   void serialize(ContactInModel& contact, DumpStream& ar);
-  /// Reports that a matrix is outdated, because penalties have grown or bonds have broken.
+  /// Requests a new matrix, because penalties have grown or bonds have broken.
   void force_new_matrix() { matrix_.force_next(); }
-  /// A contact has added its part to the matrix. After the last contact, loads are eliminated by the rows of nodes.
+  /// Notes that a contact has added its part to the matrix. After the last contact, the nodes' unknowns are eliminated
+  /// from the rows of loads.
   void added_tangent(const ContactInModel& contact);
 
   void on_callback(unsigned int when);
 
   newton::FEBioSolver& solver() { return solver_; }
-  /// The reduction of automatic penalties of the traction in the present step.
+  /// The reduction of automatic traction penalties in the present step.
   mixture_contact::ReducedPenalty penalty_reduction() const;
   const ModelDevices& devices() const { return devices_; }
-  /// The parts of the contacts that the next matrix includes.
+  /// The properties of the next matrix on which the assembly of contacts depends.
   MatrixForm matrix_form() const;
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
@@ -72,8 +74,8 @@ class ModelContacts : public mixture_contact::SteppedModel {
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
   ReduciblePenalties reducible_;
-  std::vector<ContactInModel*> contacts_;        ///< in the order of the model
-  std::set<const ContactInModel*> unactivated_;  ///< contacts whose core has no state yet
+  std::vector<ContactInModel*> contacts_;        ///< all contacts in the order of the model
+  std::set<const ContactInModel*> unactivated_;  ///< contacts whose core has not been activated
   newton::KeptMatrix matrix_;
   mixture_contact::Round dumps_;
 };

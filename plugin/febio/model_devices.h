@@ -1,4 +1,4 @@
-/// The devices of the solver in a model: switches of its contacts, counts of their actions, and lines of the log.
+/// The devices of the solver in a model: the switches of its contacts, the counts of actions, and lines for the log.
 #pragma once
 
 #include "contact_in_model.h"
@@ -9,20 +9,23 @@
 
 class FEModel;
 
+/// Decides which devices may act, and counts their actions.
 class ModelDevices {
  public:
-  /// Keeps references; `contacts` are all of the model.
+  /// Keeps references. `contacts`: all contacts of the model.
   ModelDevices(FEModel& fem, const std::vector<ContactInModel*>& contacts) : fem_(fem), contacts_(contacts) {}
 
-  /// Whether a device may act at present.
+  /// True if a device may act in the present step.
   bool is_on(newton::Device device) const;
-  /// The fault of a contact's devices, given those of the others: a sentence, or none.
+  /// The fault of a contact's device settings in combination with those of other contacts, as a sentence; empty if
+  /// there is none.
   std::string complaint(ContactInModel& contact) const;
-  /// Logs the active devices at the first step.
+  /// Logs the active devices in the first step.
   void introduce();
-  /// Counts the devices that a new matrix uses.
+  /// Counts the devices that a new matrix uses. `has_operations`: true if the matrix has row operations.
   void count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations);
-  /// A step has failed. Switches devices off for the next attempt, and on for the one after it.
+  /// Notes that a step has failed: disables all devices for the next attempt, and enables them for the attempt after
+  /// that.
   void fail_step(bool is_tried_again);
   newton::DeviceRecord& record() { return record_; }
 

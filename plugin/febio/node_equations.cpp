@@ -22,7 +22,7 @@ std::array<int, 3> equations_at(const FENode& node, const std::array<int, 3>& do
   return equations;
 }
 
-/// Fills in the equations of a sliding contact's multipliers, from the first one on.
+/// Sets the equations of a sliding contact's multipliers. `first`: the first of these equations.
 void fill_multipliers(const ContactInterface& core, int first, const Patch& patch, int node, std::vector<int>& ids) {
   const LocalLayout layout = patch.layout();
   const MultiplierLayout own = multiplier_layout(core);
@@ -138,7 +138,7 @@ std::vector<int> NodeEquations::coupled(const Location& at) const {
     });
     add_followed(at, ids);
   }
-  for (int& id : ids) id = newton::equation_of(id);  // prescribed values have their places in the matrix, too
+  for (int& id : ids) id = newton::equation_of(id);  // prescribed values also have positions in the matrix
   return ids;
 }
 

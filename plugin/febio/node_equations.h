@@ -1,5 +1,5 @@
-/// The equations of the unknowns of a contact's nodes at the time of construction. FEBio renumbers equations between
-/// steps, and ambient values remove unknowns within one.
+/// The equations of a contact's unknowns at the time of construction. FEBio renumbers equations between steps, and
+/// ambient values remove unknowns within a step.
 #pragma once
 
 #include "dof_map.h"
@@ -10,43 +10,46 @@
 #include <functional>
 #include <vector>
 
+/// Looks up equations of local vectors.
 class NodeEquations {
  public:
   using Side = mixture_contact::Side;
   using Location = mixture_contact::ContactInterface::Location;
 
-  /// Fills in the equations of the multipliers of a patch, those of a node, at their entries of its layout.
+  /// Sets the equations of a node's multipliers at their entries in the layout of a patch.
   using FillMultipliers = std::function<void(const mixture_contact::Patch& patch, int node, std::vector<int>& ids)>;
 
-  /// Keeps references.
+  /// Keeps references. `fill_multipliers`: used for patches with multipliers.
   NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::Effects& effects,
                 FillMultipliers fill_multipliers);
   NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::ContactInterface& core);
 
-  /// The nodes of the mesh whose blocks make up a local vector.
+  /// The nodes of the mesh to which the blocks of a local vector belong.
   std::vector<int> nodes(const Location& at) const;
-  /// The equation of each entry of a local vector; -1 where it has none.
+  /// The equation of each entry of a local vector; -1 for entries without an equation.
   std::vector<int> equations(const Location& at) const;
-  /// Equations in one block of the matrix, those of prescribed values and of rigid bodies' rotations, too.
+  /// All equations that a block of the matrix couples, including those of prescribed values and of rigid bodies'
+  /// rotations.
   std::vector<int> coupled(const Location& at) const;
-  /// A local vector at its equations; a component of a displacement that follows others goes to theirs.
+  /// The entries of a local vector with their equations. A displacement component that depends on others by a linear
+  /// constraint is distributed to their equations.
   std::vector<newton::Condition::Entry> entries(const Location& at, const mixture_contact::VectorXd& values) const;
-  /// The equations of all degrees of freedom of a node that have one of their own, exchanged or not.
+  /// The equations of all degrees of freedom of a node, exchanged or not, that have equations of their own.
   std::vector<int> unknowns(Side surface, int node) const;
-  /// The displacements of nodes of the surfaces by an increment [mm]; zero where they have no equations of their own.
+  /// The displacements of the surfaces' nodes by an increment [mm]; zero for nodes without equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
-  /// Whether some nodes belong to rigid bodies, from which they have their equations.
+  /// True if a node of a local vector belongs to a rigid body, which then provides its equations.
   bool are_rigid(const Location& at) const;
-  /// Whether the n-th node of a local vector does.
+  /// True if the n-th node of a local vector belongs to a rigid body.
   bool is_rigid(const Location& at, mixture_contact::Index n) const;
-  /// The nodes that belong to rigid bodies.
+  /// Flags of the nodes that belong to rigid bodies.
   mixture_contact::PerSide<mixture_contact::NodeFlags> rigid() const;
 
  private:
   /// Equations of the nodes of one surface.
   struct Surface {
     FEMixtureSurface* febio = nullptr;
-    mixture_contact::IndexedVector<int> body;  ///< the rigid one that each node belongs to; negative for none
+    mixture_contact::IndexedVector<int> body;  ///< rigid body of each node; negative if it belongs to none
     Eigen::MatrixXi equations;                 ///< shape (displacements and fields, nodes)
 
     bool is_rigid(int node) const { return body[node] >= 0; }
@@ -57,12 +60,12 @@ class NodeEquations {
     static constexpr int displacements = 3;
   };
   Surface of_surface(FEMixtureSurface& surface, Side side) const;
-  /// Calls use(surface, node) for the nodes of a local vector in their order.
+  /// Calls use(surface, node) for the nodes of a local vector in order.
   template <class Use>
   void for_each_node(const Location& at, const Use& use) const;
-  /// Adds the displacements that determine those of these nodes by linear constraints.
+  /// Adds the equations of displacements on which these nodes depend by linear constraints.
   void add_followed(const Location& at, std::vector<int>& ids) const;
-  /// The change of a displacement by an increment.
+  /// The change of a displacement component by an increment.
   double change(const Surface& surface, int node, int i, const std::vector<double>& increment) const;
 
   const DofMap& dofs_;

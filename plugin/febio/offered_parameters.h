@@ -1,4 +1,4 @@
-/// The parameters of a contact among those that FEBio reads.
+/// Registration of a contact's parameters with FEBio.
 #pragma once
 
 #include "host/contact_parameters.h"
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+/// FEBio's name of a unit.
 inline const char* unit_of(Unit unit) {
   switch (unit) {
     case Unit::length:
@@ -24,7 +25,7 @@ inline const char* unit_of(Unit unit) {
   return UNIT_NONE;
 }
 
-/// Adds a parameter to its group, and hides it if FEBio Studio does not offer it.
+/// Adds a parameter to its group, and hides it in FEBio Studio if the group has no heading.
 template <class Value>
 void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& value) {
   owner.BeginParameterGroup(heading(tag.group));
@@ -36,8 +37,8 @@ void offer_parameter(FEParamContainer& owner, const ParameterTag& tag, Value& va
   if (tag.choices != nullptr) parameter->setEnums(tag.choices);
 }
 
-/// Notes the parameters that load curves change; for_each(take) calls take(tag, value) for each. Returns the faults
-/// with these curves, one sentence each.
+/// Finds the parameters that have load curves; for_each(take) has to call take(tag, value) for each parameter. Returns
+/// the complaints about these curves, one sentence each.
 template <class ForEach>
 std::vector<std::string> find_load_curves(FECoreBase& owner, const ForEach& for_each) {
   std::vector<std::string> wrong;

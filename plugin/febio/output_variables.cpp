@@ -20,7 +20,7 @@ namespace {
 
 constexpr int logged_solutes = 8;
 
-/// What is reported of an exchanged field.
+/// The reported quantity of an exchanged field.
 enum class Quantity { flux, jump };
 
 double nodal_value(const FEMixtureSurface& surface, Quantity quantity, int solute, int node) {
@@ -34,7 +34,7 @@ double own_flow(const FEMixtureSurface& surface, int solute) {
   return field < 0 || field >= surface.total().flow.size() ? 0.0 : surface.total().flow[field];
 }
 
-/// What a surface has by all contacts that share it.
+/// The sum of a value over all contacts that share the surface.
 template <class Value>
 auto sum_over_contacts(FEMixtureSurface& surface, const Value& value) {
   auto sum = value(surface);
@@ -55,7 +55,8 @@ mixture_contact::Vector3d friction_force(FEMixtureSurface& surface) {
   return sum_over_contacts(surface, [](const FEMixtureSurface& each) { return each.total().friction; });
 }
 
-/// The contact surface that a plot or log record means: the surface itself, or the one of the same name in a contact.
+/// The contact surface that a plot or log record refers to: the surface itself, or the one of the same name in a
+/// contact.
 FEMixtureSurface* contact_surface(FEModel& fem, FESurface& surface) {
   if (auto* own = dynamic_cast<FEMixtureSurface*>(&surface)) return own;
   for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
@@ -74,8 +75,7 @@ void name_solutes(FEPlotData& data, FEModel& fem) {
   data.SetArrayNames(names);
 }
 
-// ------------------------------------------------------------------------------------------------------------ plot
-// file
+// ------------------------------------------------------------ plot file
 
 template <Quantity quantity>
 class FEPlotSolvent : public FEPlotSurfaceData {
@@ -137,7 +137,7 @@ class FEPlotSoluteFlow : public FEPlotSurfaceData {
   }
 };
 
-/// A number at each node.
+/// Plot variable with a number at each node.
 template <double (*value)(const FEMixtureSurface&, int)>
 class FEPlotAtNodes : public FEPlotSurfaceData {
  public:
@@ -150,7 +150,7 @@ class FEPlotAtNodes : public FEPlotSurfaceData {
   }
 };
 
-/// A vector at each node: one of the matrices of FrictionOutput.
+/// Plot variable with a vector at each node, from a matrix of FrictionOutput.
 template <mixture_contact::Matrix3Xd mixture_contact::FrictionOutput::* vectors>
 class FEPlotVectorsAtNodes : public FEPlotSurfaceData {
  public:
@@ -177,14 +177,14 @@ double slip_status(const FEMixtureSurface& surface, int node) {
   return static_cast<double>(status_of(surface.nodal_output().friction, node));
 }
 
-/// What a bond has come to: one of the values of BreakingOutput; 0 where it cannot break.
+/// A value of BreakingOutput at a node; 0 if the bonds cannot break.
 template <mixture_contact::VectorXd mixture_contact::BreakingOutput::* values>
 double of_bonds(const FEMixtureSurface& surface, int node) {
   const mixture_contact::VectorXd& all = surface.nodal_output().breaking.*values;
   return node < all.size() ? all[node] : 0.0;
 }
 
-/// Power that friction dissipates in a step.
+/// The power that friction dissipates in a step.
 double friction_power(FEMixtureSurface& surface, FEModel& fem) {
   const double dt = fem.GetTime().timeIncrement;
   const auto dissipation = [](const FEMixtureSurface& each) { return each.total().dissipation; };
@@ -214,10 +214,9 @@ class FEPlotFrictionPower : public FEPlotSurfaceData {
   }
 };
 
-// ------------------------------------------------------------------------------------------------------------- log
-// file
+// ------------------------------------------------------------ log file
 
-/// A number per surface. A surface that no sliding-mixture contact has is said to be so, once.
+/// Log variable with a number per surface. A surface that belongs to no sliding-mixture contact is reported once.
 class FELogMixtureSurface : public FELogSurfaceData {
  public:
   using FELogSurfaceData::FELogSurfaceData;
@@ -253,7 +252,7 @@ class FELogFrictionPower : public FELogMixtureSurface {
   double value_of(FEMixtureSurface& surface) const override { return friction_power(surface, *GetFEModel()); }
 };
 
-/// An energy of bonds, or the area of those that have broken.
+/// Log variable with an energy of bonds, or the area of broken bonds.
 template <double mixture_contact::BondEnergy::* part>
 class FELogBonds : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
@@ -262,21 +261,21 @@ class FELogBonds : public FELogMixtureSurface {
   }
 };
 
-/// solute = -1: the solvent.
+/// Log variable with the flow of a solute; `solute` -1: the solvent.
 template <int solute>
 class FELogFlow : public FELogMixtureSurface {
   using FELogMixtureSurface::FELogMixtureSurface;
   double value_of(FEMixtureSurface& surface) const override { return flow(surface, solute); }
 };
 
-/// Registers a class under a name. FEBio keeps the pointers, so factory and name live as long as the process.
+/// Registers a class under a name. FEBio stores the pointers; factory and name therefore exist as long as the process.
 template <class T>
 void offer(const std::string& name) {
   static const std::string kept = name;
   static const FERegisterClass_T<T> factory(T::superClassID(), kept.c_str(), T::BaseClassName(), kept.c_str());
 }
 
-/// How much of the areas around a facet's nodes faces the other surface of a contact.
+/// The part of the areas of a facet's nodes that faces the other surface of a contact.
 double coverage(const FEMixtureSurface& surface, const FESurfaceElement& element) {
   const auto& area = surface.nodal_output().tributary_area;
   double sum = 0;
@@ -287,7 +286,7 @@ double coverage(const FEMixtureSurface& surface, const FESurfaceElement& element
   return sum;
 }
 
-/// The surface of the contact that covers a facet most, where several share it; null where none is active.
+/// The surface of the contact that covers most of a facet, if several contacts share it; null if none is active.
 const FEMixtureSurface* covering(FEMixtureSurface& surface, const FESurfaceElement& element) {
   const std::vector<const FEMixtureSurface*> all = surface.of_all_contacts();
   const auto most = std::max_element(all.begin(), all.end(), [&](const auto* one, const auto* two) {
@@ -296,7 +295,7 @@ const FEMixtureSurface* covering(FEMixtureSurface& surface, const FESurfaceEleme
   return most == all.end() ? nullptr : *most;
 }
 
-/// Mean of the nodal values of a facet; 0 where it is of no contact.
+/// The mean of the nodal values of a facet; 0 if the facet belongs to no contact.
 template <class Value>
 double mean_of_nodes(FEModel& fem, FESurfaceElement& element, const Value& value) {
   auto* surface = dynamic_cast<FESurface*>(element.GetMeshPartition());
@@ -332,8 +331,7 @@ double component_of(const FEMixtureSurface& surface, int node) {
   return node < all.cols() ? all(component, node) : 0.0;
 }
 
-// ---------------------------------------------------------------------------------------------------------
-// registration
+// ------------------------------------------------------------ registration
 
 template <int... solutes>
 void offer_solute_logs(std::integer_sequence<int, solutes...> /*unused*/) {

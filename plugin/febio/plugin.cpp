@@ -1,5 +1,4 @@
-/// The entry points that febio4 looks for in a plugin beside GetSDKVersion, and the registration of everything it
-/// offers.
+/// The entry points of the plugin for febio4, except GetSDKVersion, and the registration of all classes of the plugin.
 #include "ambient_concentration.h"
 #include "exports.h"
 #include "membrane_values.h"

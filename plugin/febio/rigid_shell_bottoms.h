@@ -1,12 +1,12 @@
-/// The arm of forces on back faces of rigid shells.
+/// Moments of forces on the back faces of rigid shells.
 #pragma once
 
 #include "contact_surfaces.h"
 
 class FERigidBody;
 
-/// Moves the nodes of rigid shells to the back face, where a contact has that, while an object of this type lives:
-/// FEBio assembles a force on a node of a rigid body with the arm of the node's position.
+/// While an object of this class exists, the nodes of rigid shells are moved to those back faces that have a contact.
+/// FEBio computes the moment of a force on a rigid body from the position of the node.
 class RigidShellBottoms {
  public:
   explicit RigidShellBottoms(ContactSurfaces& surfaces);
@@ -19,7 +19,8 @@ class RigidShellBottoms {
  private:
   struct Moved {
     FENode* node = nullptr;
-    vec3d present;  ///< its own positions
+    vec3d present;  ///< original present position
+    /// Original position at the start of the step.
     vec3d past;
   };
   void move_to_back(FENode& node, const FERigidBody& body);

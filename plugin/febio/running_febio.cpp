@@ -19,12 +19,12 @@ constexpr const char* version_symbol = "_ZN5febio16getVersionStringEv";
 #endif
 constexpr const char* table_symbol = "_ZTV23FESurfacePairConstraint";
 
-/// "4.11" of "4.11.0": what changes between them leaves the classes as they are.
+/// The release series of a version, "4.11" of "4.11.0". Releases of a series have the same classes.
 std::string release_series(const std::string& version) {
   return version.substr(0, version.find('.', version.find('.') + 1));
 }
 
-/// The release that the running FEBio says it is; empty where it does not say.
+/// The release of the running FEBio; empty if it is unknown.
 std::string running_release(const SymbolLookup& find) {
   void* function = find(version_symbol);
   return function == nullptr ? "" : reinterpret_cast<char* (*)()>(function)();
@@ -54,8 +54,8 @@ std::string moved_hook(const SymbolLookup& find) {
   return "";
 }
 
-/// The place of a virtual function in the table of its class: by the Itanium C++ ABI the pointer to it holds the place
-/// in bytes (plus one, but for Arm's processors).
+/// The position of a virtual function in the table of its class. In the Itanium C++ ABI, a pointer to the function
+/// contains the position in bytes (plus one, except on Arm processors).
 template <class Function>
 std::size_t place_of(Function function) {
   std::size_t words[2] = {0, 0};

@@ -1,4 +1,4 @@
-/// Whether the FEBio that loads the plugin is one that the plugin was built for. febio4 compares a number that releases
+/// Test whether the plugin was built for the FEBio that loads it. febio4 itself compares only a number that releases
 /// with different classes share.
 #pragma once
 
@@ -7,20 +7,21 @@
 #include <string>
 #include <vector>
 
-/// A function that FEBio calls by its place in a table, and that the adapter overrides.
+/// A virtual function of FEBio that the plugin overrides and FEBio calls by its position in the virtual table.
 struct Hook {
-  const char* name;    ///< for people
-  const char* symbol;  ///< in FEBio's libraries
-  std::size_t place;   ///< in the table that the plugin was compiled with
+  const char* name;    ///< readable name
+  const char* symbol;  ///< symbol in FEBio's libraries
+  std::size_t place;   ///< position in the virtual table with which the plugin was compiled
 };
 
-/// The hooks of FESurfacePairConstraint; none but on Linux, where alone the names in the libraries were looked at.
+/// The overridden functions of FESurfacePairConstraint. Empty on systems other than Linux, whose symbols are not known.
 const std::vector<Hook>& hooks();
 
-/// The address of a name in the running FEBio; null if it has none.
+/// The address of a symbol in the running FEBio; null if there is none.
 using SymbolLookup = std::function<void*(const char* symbol)>;
+/// Looks up symbols in the libraries that the process has loaded.
 SymbolLookup running_symbols();
 
-/// Why a plugin that was built for a release ("4.11.0"; empty: not known) does not fit the running FEBio: a sentence;
-/// empty if it fits.
+/// The reason why a plugin that was built for this release ("4.11.0"; empty if unknown) does not fit the running FEBio,
+/// as a sentence; empty if it fits.
 std::string misfit(const std::string& built_for, const SymbolLookup& find);

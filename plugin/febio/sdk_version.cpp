@@ -1,4 +1,5 @@
-/// What febio4 asks a plugin first: the SDK that it was built with. febio4 refuses any other than its own.
+/// The function that febio4 calls first in a plugin: it returns the SDK version with which the plugin was built. febio4
+/// rejects versions other than its own.
 #include "exports.h"
 #include "running_febio.h"
 
@@ -8,7 +9,7 @@
 
 extern "C" {
 
-/// No SDK where the running FEBio does not fit, whatever its number: febio4 then lets go of the plugin.
+/// Returns 0 if the running FEBio does not fit, for any SDK version; febio4 then rejects the plugin.
 MIXCONTACT_EXPORT unsigned int GetSDKVersion() {
   const std::string sentence = misfit(MIXCONTACT_FEBIO_RELEASE, running_symbols());
   if (sentence.empty()) return FE_SDK_VERSION;

@@ -13,13 +13,13 @@ using namespace mixture_contact;
 
 namespace {
 
-/// How often a matrix is asked at most. The size is a choice: joints of tetrahedra ask for six.
+/// Largest number of solutions in a prediction. The size is a choice: joints of tetrahedra need six.
 constexpr int most_answers = 10;
 
-/// The nodes of a contact that open and close.
+/// The nodes of a contact that open and close in a prediction.
 class UndecidedNodes {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to the assembly.
   UndecidedNodes(const Assembly& assembly, bool may_change, double dt)
       : assembly_(assembly), dt_(dt), held_(assembly.conditions(dt)), opened_(nearing_nodes(core())) {
     if (may_change) loads_ = assembly.undecided_loads(dt);
@@ -29,7 +29,7 @@ class UndecidedNodes {
   bool any_changed() const {
     return std::any_of(loads_.begin(), loads_.end(), [&](const UndecidedLoad& load) { return is_changed(load); });
   }
-  /// Of the matrix, with the nodes that have changed so far.
+  /// Adds the conditions on the matrix, including those of nodes whose status has changed so far.
   void add_conditions(std::vector<newton::Condition>& all) const {
     std::map<int, newton::Condition> conditions;
     for (const newton::Condition& held : held_) conditions[held.key] = held;
@@ -38,7 +38,7 @@ class UndecidedNodes {
     }
     for (auto& [key, condition] : conditions) all.push_back(std::move(condition));
   }
-  /// Opens and closes nodes. Returns whether there were any to.
+  /// Opens and closes nodes by the tractions of a solution. Returns true if any node has changed.
   bool follow(const newton::Answer& answer) {
     if (!are_any()) return false;
     PerSide<NodeFlags> now = opening_nodes(core(), tractions(answer), opened_);
@@ -46,7 +46,7 @@ class UndecidedNodes {
     opened_ = std::move(now);
     return changed;
   }
-  /// Looks for nodes that come to overlap, and closes those that stay so. Returns whether there were any to.
+  /// Finds nodes that overlap in a solution, and closes them. Returns true if there are any.
   bool find_more(const newton::Answer& answer) {
     if (!are_any()) return false;
     const PerSide<NodeFlags> found = find_nearing_nodes(core(), assembly_.displacements(answer.x),
@@ -58,13 +58,13 @@ class UndecidedNodes {
     loads_ = assembly_.undecided_loads(dt_);
     return follow(answer);
   }
-  /// Has the contact begin the iteration with them.
+  /// Begins the iteration of the contact with the predicted status of the nodes.
   void begin_iteration() const { open_nodes(core(), opened_, assembly_.contact().fields()); }
 
  private:
   ContactInterface& core() const { return assembly_.contact().core(); }
   bool is_changed(const UndecidedLoad& load) const { return load.is_in_contact == opened_[load.surface][load.node]; }
-  /// At the end of the iteration, of nodes that are undecided, were they in contact [MPa]; NaN at all others.
+  /// Tractions of the nodes whose status is predicted, at the end of the iteration [MPa]; NaN at all other nodes.
   PerSide<VectorXd> tractions(const newton::Answer& answer) const {
     PerSide<VectorXd> found;
     for (const Side side : both_sides) found[side] = unknown_values(opened_[side].count());
@@ -77,12 +77,12 @@ class UndecidedNodes {
 
   const Assembly& assembly_;
   double dt_;
-  std::vector<newton::Condition> held_;  ///< as the iteration begins
+  std::vector<newton::Condition> held_;  ///< conditions at the start of the iteration
   std::vector<UndecidedLoad> loads_;
-  PerSide<NodeFlags> opened_;  ///< of those that are undecided
+  PerSide<NodeFlags> opened_;  ///< open nodes among those whose status is predicted
 };
 
-/// Asks the matrix until the nodes stay. Returns the answer that they do with; none where they do not.
+/// Solves with the matrix until no node changes. Returns the last solution; empty if nodes keep changing.
 std::optional<newton::Answer> settled(std::vector<UndecidedNodes>& nodes, newton::KeptMatrix& matrix) {
   for (int answers = 0; answers < most_answers; ++answers) {
     std::vector<newton::Condition> conditions;

@@ -10,7 +10,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// The first facet of a type that the core does not know; null if there is none.
+/// The first facet of a type that the core does not support; null if there is none.
 const FESurfaceElement* unknown_facet(FESurface& surface) {
   for (int i = 0; i < surface.Elements(); ++i) {
     if (!facet_type(surface.Element(i))) return &surface.Element(i);
@@ -18,7 +18,7 @@ const FESurfaceElement* unknown_facet(FESurface& surface) {
   return nullptr;
 }
 
-/// Whether all elements behind a surface are shells; the log names one that is not.
+/// True if all elements behind a surface are shells; if false, one of the others is logged.
 bool are_shells(FEMixtureSurface& surface, Side side, const ContactLog& log) {
   for (int i = 0; i < surface.Elements(); ++i) {
     const FEElement* const element = surface.Element(i).m_elem[0].pe;

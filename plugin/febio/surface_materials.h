@@ -1,4 +1,4 @@
-/// The surfaces of a contact as the core takes them: facets, and the materials behind them.
+/// The facets of a contact's surfaces and the materials behind them, in the form of the core.
 #pragma once
 
 #include "contact_log.h"
@@ -9,22 +9,22 @@
 #include <optional>
 #include <vector>
 
-/// Whether the core knows the types of all facets; the log names one that it does not know.
+/// True if the core supports the types of all facets; if false, one of the others is logged.
 bool have_known_facets(ContactSurfaces& surfaces, const ContactLog& log);
 
-/// Moves surfaces to the back faces of their shells if the parameters require it. Returns whether all elements behind
-/// these surfaces are shells; the log names one that is not.
+/// Moves surfaces to the back faces of their shells if the parameters require it. Returns true if all elements behind
+/// these surfaces are shells; if false, one of the others is logged.
 bool take_shell_bottoms(ContactSurfaces& surfaces, const ContactParameters& parameters, const ContactLog& log);
 
-/// Reads the materials behind all facets. Empty if contact cannot act on one of them; the log gives the reason.
+/// Reads the materials behind all facets. Empty if contact cannot act on one of them; the reason is logged.
 std::optional<FacetMaterials> facet_materials(FEModel& fem, ContactSurfaces& surfaces, const ContactLog& log);
 
-/// Whether some rigid facets face rigid facets alone.
+/// True if there are rigid facets that face only rigid facets.
 bool lack_stiffness(const std::vector<FacetMaterial>& primary, const std::vector<FacetMaterial>& secondary);
 
-/// Gives rigid materials a stiffness from modulus_of_rigid_bodies(), if it returns one.
+/// Sets the stiffness of rigid materials to modulus_of_rigid_bodies(), if that is positive.
 void stand_in_for_rigid_bodies(FEModel& fem, FacetMaterials& materials);
 
-/// The mesh of a surface whose facets are all known.
+/// The mesh of a surface, of which the core supports all facets.
 mixture_contact::SurfaceMesh surface_mesh(FESurface& surface, const std::vector<FacetMaterial>& materials,
                                           const mixture_contact::Effects& effects);

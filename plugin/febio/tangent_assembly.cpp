@@ -15,7 +15,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// Where the entries of a layout stand in another over the same nodes and fields that has displacements, too.
+/// Positions of the entries of a layout in another layout of the same nodes and fields that includes displacements.
 std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
   std::vector<Index> places(indexing::entries(layout.size()));
   for (Index block = 0; block < layout.blocks(); ++block) {
@@ -29,13 +29,13 @@ std::vector<Index> dof_map(const LocalLayout& layout, const LocalLayout& all) {
   return places;
 }
 
-/// Of two patches over the same nodes.
+/// True if two patches of the same nodes have the same kinds of unknowns.
 bool have_same_unknowns(const Patch& one, const Patch& two) {
   return one.displacements == two.displacements && one.fields == two.fields &&
          one.multiplier_node == two.multiplier_node;
 }
 
-/// Equations at their places in a larger layout, and none elsewhere.
+/// Equations at their positions in a larger layout, and -1 at all other positions.
 std::vector<int> scattered(const std::vector<int>& equations, const std::vector<Index>& places,
                            const LocalLayout& all) {
   std::vector<int> result(indexing::entries(all.size()), -1);
@@ -43,8 +43,8 @@ std::vector<int> scattered(const std::vector<int>& equations, const std::vector<
   return result;
 }
 
-/// A block of the tangent as FEBio takes it: square, with blocks of one size per node that begin with displacements.
-/// What a block lacks of them has no equations.
+/// A block of the tangent in the form that FEBio requires: square, with node blocks of equal size that begin with
+/// displacements. Added unknowns have no equations.
 FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const std::vector<int>& nodes,
                                const std::vector<int>& row_ids, const std::vector<int>& column_ids,
                                const MatrixXd& values) {
@@ -67,26 +67,26 @@ FEElementMatrix element_matrix(const Patch& rows, const Patch& columns, const st
   return stiffness;
 }
 
-/// Equations that stand for prescribed values, and none in place of the others.
+/// The equations of prescribed values, and -1 in place of all others.
 std::vector<int> prescribed_alone(std::vector<int> equations) {
   std::replace_if(
       equations.begin(), equations.end(), [](int equation) { return !newton::is_prescribed(equation); }, -1);
   return equations;
 }
 
-/// Nodes of two patches, those of the first one first on either surface.
+/// The nodes of two patches, on each surface those of the first patch first.
 Patch together(Patch one, const Patch& two) {
   one.primary.insert(one.primary.end(), two.primary.begin(), two.primary.end());
   one.secondary.insert(one.secondary.end(), two.secondary.begin(), two.secondary.end());
   return one;
 }
 
-/// The rows of a node by the n-th node of its columns, in a block over both.
+/// The rows of a node and the columns of another one, in a block of both nodes.
 struct OfTwoNodes {
   Patch rows;
   Patch columns;
-  Index row;     ///< the node whose rows they are
-  Index column;  ///< the other one
+  Index row;     ///< position of the node of the rows
+  Index column;  ///< position of the node of the columns
   MatrixXd values;
 };
 
@@ -106,7 +106,7 @@ OfTwoNodes of_two_nodes(const TangentBlock& block, Index n) {
   return both;
 }
 
-/// The equations of one node, and none in place of those of others.
+/// The equations of one node, and -1 in place of those of other nodes.
 std::vector<int> alone(std::vector<int> equations, const LocalLayout& layout, Index node) {
   for (Index i = 0; i < count_of(equations); ++i) {
     if (i / layout.per_node() != node) mixture_contact::at(equations, i) = -1;
@@ -114,7 +114,7 @@ std::vector<int> alone(std::vector<int> equations, const LocalLayout& layout, In
   return equations;
 }
 
-/// Takes the columns of these nodes out of a block. Returns them as FEBio's matrix has them, K = -dR/du.
+/// Removes the columns of these nodes from a block. Returns them with the sign of FEBio's matrix, K = -dR/du.
 newton::MatrixBlock taken_out(newton::MatrixBlock& block, const NodeFlags& nodes, const LocalLayout& columns) {
   newton::MatrixBlock taken;
   const Index count = std::count(nodes.begin(), nodes.end(), true);
@@ -208,7 +208,7 @@ IndexedVector<Index> TangentAssembly::take_out_bound(const Location& row, const 
 }
 
 void TangentAssembly::add_rows(Side first, const Rows& rows, double factor, newton::MatrixPart* beside) {
-  take_over(kept_of(rows.front().rows));  // what came before these
+  take_over(kept_of(rows.front().rows));  // adds the earlier blocks first
   for (Index begin = 0; begin < rows.count(); begin += batch_size) add_batch(first, rows, begin, factor, beside);
 }
 
@@ -239,7 +239,8 @@ void TangentAssembly::add_bound(Side first, const TangentBlock& row, Index n, do
   const OfTwoNodes both = of_two_nodes(row, n);
   const Location rows{first, both.rows};
   const Location columns{first, both.columns};
-  // FEBio never ends its search for an entry that has no place, and the rows of the other node may have none here.
+  // FEBio would search without end for an entry that is not in the profile, and the rows of the other node may have no
+  // entries in these columns.
   const std::vector<int> row_ids = alone(equations_.equations(rows), both.rows.layout(), both.row);
   const std::vector<int> column_ids = alone(equations_.equations(columns), both.columns.layout(), both.column);
   system_.Assemble(
@@ -252,7 +253,7 @@ void TangentAssembly::add_load(Side first, const LoadBlock& load) {
   UnknownLoad own = loads_.unknown(equations_, core_, first, load.place);
   const bool is_unknown = takes_.loads && own.equation >= 0;
   if (!is_unknown) return add(rows, columns, load.product().values);
-  if (!has_mixed_form(load)) return;  // its product is zero
+  if (!has_mixed_form(load)) return;  // the load does not depend on the unknowns
   add_mixed(own.equation, load, rows, columns);
   unknown_loads_.push_back(std::move(own));
 }
@@ -271,8 +272,8 @@ void TangentAssembly::add_mixed(int own, const LoadBlock& load, const Location& 
     if (!load.place.field) unknown_tractions_.push_back({rows.first, load.place.node, own, mixed.load});
     return;
   }
-  // Their increments stand on the right-hand side as they do without mixed form: norms of residuals begin with it. In
-  // the matrix they have no entries that would come after those kept.
+  // The loads by prescribed increments are on the right-hand side as without the mixed form, because norms of residuals
+  // start with it. In the matrix, they have no entries that would have to be added after the collected blocks.
   system_.Assemble(element_matrix(load.rows, load.place.columns, equations_.nodes(columns), ids.rows,
                                   prescribed_alone(ids.columns), load.product().values));
 }

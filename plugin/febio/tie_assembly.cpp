@@ -19,14 +19,13 @@ using Location = NodeEquations::Location;
 
 Location at_primary(const Patch& patch) { return {Side::primary, patch}; }
 
-/// The same patch with displacements, where it has none: FEBio takes blocks of one size per node that begin with them.
+/// The patch with displacements, because FEBio requires node blocks of equal size that begin with displacements.
 Patch with_displacements(Patch patch) {
   patch.displacements = true;
   return patch;
 }
 
-/// A local vector or matrix of a patch at its places among blocks that begin with displacements. Those that the patch
-/// does not have get no equations.
+/// A local vector or matrix of a patch in blocks that begin with displacements. Added displacements have no equations.
 class InFullBlocks {
  public:
   InFullBlocks(const NodeEquations& equations, const Patch& patch)
@@ -72,7 +71,7 @@ class InFullBlocks {
   std::vector<int> ids_;
 };
 
-/// Blocks on their way into a matrix that FEBio stores by rows.
+/// Blocks that are collected before they are added to a matrix that FEBio stores by rows.
 class Batch {
  public:
   explicit Batch(FEGlobalMatrix& matrix) : rows_(matrix) {}
@@ -114,7 +113,8 @@ void TieAssembly::add_to_profile(const Tie& tie, FEGlobalMatrix& matrix) const {
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   newton::CoupledBlocks blocks(profile.Columns());
   tie.for_each_patch([&](const Patch& patch) {
-    const bool is_rigid = equations.are_rigid(at_primary(patch));  // FEBio couples a body by all that its nodes have
+    // FEBio couples all unknowns of a rigid body's nodes with each other.
+    const bool is_rigid = equations.are_rigid(at_primary(patch));
     blocks.add(equations.coupled(at_primary(is_rigid ? with_displacements(patch) : patch)));
   });
   blocks.insert_into(profile);

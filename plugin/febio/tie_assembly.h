@@ -1,4 +1,4 @@
-/// Assembly of a tie: the core's patches in FEBio's equations.
+/// Assembly of a tie's residual and tangent into FEBio's equations.
 #pragma once
 
 #include "contact/tie/tie.h"
@@ -8,6 +8,7 @@ class FEGlobalMatrix;
 class FEGlobalVector;
 class FELinearSystem;
 
+/// Assembles a tie.
 class TieAssembly {
  public:
   /// Keeps references.

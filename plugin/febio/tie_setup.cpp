@@ -13,7 +13,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// What keeps two surfaces of a model from being tied, one sentence each.
+/// The reasons why two surfaces of a model cannot be tied, one sentence each.
 std::vector<std::string> obstacles(FEModel& fem, const ContactSurfaces& surfaces) {
   std::vector<std::string> found;
   if (fem.MeshAdaptors() > 0) {

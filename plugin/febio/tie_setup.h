@@ -1,4 +1,4 @@
-/// Setup of a tie: parameters, surfaces and materials of the model as the core takes them, and their faults.
+/// Setup of a tie from an FEBio model: parameters, surfaces and materials in the form of the core, and checks of them.
 #pragma once
 
 #include "contact/tie/tie.h"
@@ -10,31 +10,34 @@
 #include <memory>
 #include <optional>
 
+/// Sets up a tie.
 class TieSetup {
  public:
   TieSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const TieParameters& parameters,
            const ContactLog& log)
       : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
 
-  /// Whether the parameters, the surfaces and the model allow a tie; the log lists the faults.
+  /// True if parameters, surfaces and model permit a tie; faults are logged.
   bool check() const;
-  /// Finds the tied nodes at the present positions. Null if there are none; the log gives the reason.
+  /// Finds the tied nodes at the present positions. Null if there are none; the reason is logged.
   std::unique_ptr<mixture_contact::Tie> build() const;
+  /// Logs the tied nodes and the exchanged effects.
   void say_what_is_tied(const mixture_contact::Tie& tie) const;
-  /// Warns of a cohesive zone that is too short for the facets.
+  /// Logs a warning if the facets are too long for the cohesive zone.
   void judge_cohesive_zone(const mixture_contact::Tie& tie) const;
-  /// The primary nodes once their gaps are closed.
+  /// The positions of the primary nodes after their gaps have been closed.
   mixture_contact::Matrix3Xd relocated(const mixture_contact::Tie& tie) const;
-  /// Takes penalties and tolerances as they are at this time, and materials where penalties follow them. Returns
-  /// whether all values make sense; the log says which do not.
+  /// Sets penalties and tolerances to their present values, and reads materials again if penalties depend on them.
+  /// Returns true if all values are valid; invalid ones are logged.
   bool update(mixture_contact::Tie& tie) const;
+  /// The core's settings at the present time.
   mixture_contact::Settings settings() const;
-  /// How the tie breaks in the present step.
+  /// The law by which the tie breaks in the present step.
   mixture_contact::BreakingLaw breaking() const;
 
  private:
   std::optional<FacetMaterials> materials() const;
-  /// Whether bonds soften with their penalties, and nothing else rules out breaking.
+  /// True if bonds soften with their penalties, and nothing else excludes breaking.
   bool can_break(const mixture_contact::Tie& tie) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials) const;
   mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes(const FacetMaterials& materials,

@@ -39,7 +39,7 @@ FEMixtureTie::FEMixtureTie(FEModel* fem)
       dofs_(*fem, surfaces_),
       setup_(*fem, surfaces_, dofs_, parameters_, log_),
       assembly_(surfaces_, dofs_) {
-  // Whatever the user's enforcement, FEBio is to ask Augment() before it accepts a solution.
+  // For any enforcement by the user, FEBio has to call Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
 }
@@ -69,7 +69,7 @@ void FEMixtureTie::add_sliding_contact() {
     its->SetName(surfaces_[side].GetName() + " (broken)");
   }
   if (!IsActive()) sliding().Deactivate();
-  fem.AddSurfacePairConstraint(sliding_);  // FEBio initialises it after this one
+  fem.AddSurfacePairConstraint(sliding_);  // FEBio initialises it after this tie
 }
 
 void FEMixtureTie::give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) {
@@ -103,7 +103,8 @@ int FEMixtureTie::InitEquations(int first) {
 
 void FEMixtureTie::Activate() {
   FEContactInterface::Activate();
-  // A tie of a later step begins without stress where bodies are by then. FEBio counts equations after this.
+  // A tie of a later step begins without stress at the positions of the bodies in that step. FEBio numbers equations
+  // afterwards.
   if (tie_ == nullptr) tie_ = setup_.build();
   if (tie_ == nullptr) return;
   setup_.say_what_is_tied(*tie_);
@@ -123,7 +124,7 @@ PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(surfaces_, dofs
 // ------------------------------------------------------------ steps and iterations
 
 void FEMixtureTie::update_laws() {
-  // FEBio catches what a step throws, and nothing that an activation does.
+  // FEBio catches exceptions in a step, but not in an activation.
   if (tie_ == nullptr || !setup_.update(*tie_)) log_.end_run();
 }
 
@@ -134,7 +135,7 @@ void FEMixtureTie::PrepStep() {
 }
 
 void FEMixtureTie::Update() {
-  // FEBio prepares no steps for contacts, and asks for no augmentation, where its solver is none of Newton's kind.
+  // FEBio does not prepare contacts for a step, and calls for no augmentation, if its solver is not of Newton's kind.
   if (solver_kind_of(*GetFEModel()) == SolverKind::newton) return;
   update_laws();
   store_output(tie_->state().damage);
@@ -150,7 +151,7 @@ void FEMixtureTie::Update(const std::vector<double>& total, const std::vector<do
 }
 
 void FEMixtureTie::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
-  // FEBio's solver for solids leaves equations that are not nodes' to their owners.
+  // FEBio's solver for solids does not update the values of equations that belong to no node.
   if (tie_ == nullptr) return;
   const int first = dofs_.first_multiplier();
   for (Index n = first; n < first + tie_->unknown_count(); ++n)
@@ -234,7 +235,7 @@ void FEMixtureTie::serialize_model(DumpStream& ar) {
   ar & is_built;
   if (!is_built) return;
   archive_tie(ar, tie_, setup_.breaking());
-  // FEBio reads its steps and solvers later; PrepStep() follows those.
+  // After reading, FEBio reads its steps and solvers; PrepStep() then sets the laws for them.
   if (!ar.IsSaving()) tie_->set_laws(tie_settings(parameters_, SolverKind::newton, 0, tie_->breaking()));
 }
 

@@ -1,4 +1,4 @@
-/// The contact interface <contact type="tied-mixture">: FEBio's side of ties.
+/// The contact interface <contact type="tied-mixture"> in FEBio.
 #pragma once
 
 #include "contact/tie/bond_iterations.h"
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// A tie that may break has a sliding contact of the same surfaces, which acts for it where its nodes are broken: an
-/// interface of the model that no tag stands for.
+/// Receives FEBio's calls for a tie. A tie that can break has a sliding contact of the same surfaces for its broken
+/// nodes. The sliding contact is an interface of the model without a tag in the model file.
 class FEMixtureTie : public FEContactInterface, public ContactOwner {
  public:
   explicit FEMixtureTie(FEModel* fem);
@@ -46,12 +46,13 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   bool prepare_surfaces();
   void add_sliding_contact();
   FEMixtureContact& sliding() const { return static_cast<FEMixtureContact&>(*sliding_); }
-  /// Takes damage over, and has the sliding contact take the nodes that have broken.
+  /// Sets the damage of the tie, and frees broken nodes for the sliding contact.
   void take_damage(mixture_contact::DamageState damage);
+  /// Closes the initial gaps by relocation of the primary nodes.
   bool close_gaps();
   void update_laws();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();
-  /// `damage`: that of the present state.
+  /// Stores the output. `damage`: damage of the present state.
   void store_output(const mixture_contact::DamageState& damage);
   void serialize_model(DumpStream& ar);
 
@@ -63,9 +64,10 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   TieSetup setup_;
   TieAssembly assembly_;
   std::unique_ptr<mixture_contact::Tie> tie_;
-  FESurfacePairConstraint* sliding_ = nullptr;  ///< of broken nodes, the model's own; null where none can break
-  bool is_augmented_ = true;                    ///< at the last solution
-  mixture_contact::BondIterations iterations_;  ///< of the step
+  /// Sliding contact of broken nodes, owned by the model; null if no node can break.
+  FESurfacePairConstraint* sliding_ = nullptr;
+  bool is_augmented_ = true;                    ///< true if no augmentation is needed at the last solution
+  mixture_contact::BondIterations iterations_;  ///< detection of oscillating bonds in the step
   mixture_contact::VectorXd step_start_;        ///< unknown multipliers at the start of the step
 
   DECLARE_FECORE_CLASS()

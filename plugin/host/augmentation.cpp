@@ -38,7 +38,7 @@ Augmentation augment(const std::string& title, const GapReport& report, const Se
   Augmentation outcome;
   outcome.lines = gap_table(title + ", augmentation " + std::to_string(augmentation), report, settings.tolerances,
                             effects);
-  // Unknown multipliers have closed the gaps already: what is a solution meets them.
+  // Unknown multipliers have closed the gaps: a solution meets the conditions.
   if (settings.enforcement == Enforcement::lagrange_multipliers) return outcome;
   if (meets(report, settings.tolerances, effects) && augmentation >= settings.tolerances.augmentations.least)
     return outcome;

@@ -1,4 +1,4 @@
-/// The work on a contact after its host has found a solution.
+/// Augmentation of a contact after its host has found a solution.
 #pragma once
 
 #include "contact/interface/interface.h"
@@ -9,22 +9,23 @@
 
 /// The outcome of augment().
 struct Augmentation {
-  bool done = true;                ///< no augmentation is needed, or allowed, any more
-  bool stiffens = false;           ///< penalties have grown: a matrix that a host keeps is of smaller ones
-  std::vector<std::string> lines;  ///< gaps with their tolerances, for the log; none without multipliers
-  std::string warning;             ///< set if the limit has stopped the augmentations
+  bool done = true;       ///< true if no further augmentation is needed or allowed
+  bool stiffens = false;  ///< true if penalties have grown; a matrix that the host keeps contains the smaller ones
+  /// Gaps with their tolerances, for the log; empty if the enforcement has no multipliers.
+  std::vector<std::string> lines;
+  std::string warning;  ///< warning for the log; set if the maximum number has stopped the augmentations
 };
 
-/// Reports the gaps of a solution, and calls `take_up` if they miss the tolerances. `take_up` sets the multipliers to
-/// the loads, and returns whether penalties have grown.
+/// Compares the gaps of a solution with the tolerances, and calls `take_up` if they are larger. `take_up` has to set
+/// the multipliers to the loads, and to return true if penalties have grown.
 ///
-/// `title`: type and name of the contact; `augmentation`: how many there have been since the time step began.
+/// `title`: type and name of the contact. `augmentation`: number of augmentations since the start of the time step.
 Augmentation augment(const std::string& title, const mixture_contact::GapReport& report,
                      const mixture_contact::Settings& settings, const mixture_contact::Effects& effects,
                      int augmentation, const std::function<bool()>& take_up);
 
-/// Reports the gaps of a contact at a solution, and augments it where they miss the tolerances.
+/// Compares the gaps of a contact at a solution with the tolerances, and augments the contact if they are larger.
 ///
-/// `name`: of the contact; `augmentation`: how many there have been since the time step began.
+/// `name`: name of the contact. `augmentation`: number of augmentations since the start of the time step.
 Augmentation augment(const std::string& name, mixture_contact::ContactInterface& core,
                      const mixture_contact::PerSide<mixture_contact::SurfaceFields>& fields, int augmentation);

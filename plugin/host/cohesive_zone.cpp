@@ -9,7 +9,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// Of the softest element behind the facets; infinite where all are rigid [MPa].
+/// The modulus of the softest element behind the facets [MPa]; infinite if all are rigid.
 double least_modulus(const FacetMaterials& materials) {
   double least = std::numeric_limits<double>::infinity();
   for (const std::vector<FacetMaterial>& of_side : materials) {

@@ -1,4 +1,4 @@
-/// The conditions of a cohesive law on penalties and on the mesh.
+/// Requirements of a cohesive law on penalties and on the mesh.
 #pragma once
 
 #include "contact/tie/tie.h"
@@ -6,16 +6,18 @@
 
 #include <string>
 
-/// The fault of the penalties of a cohesive tie, and the values that they have to exceed; empty if there is none.
+/// A message that names the penalties of a cohesive tie that are too small, and the values that they have to exceed;
+/// empty if there are none.
 std::string penalty_complaint(const mixture_contact::Tie& tie);
 
-/// Facets that the zone in which a bond softens should span.
+/// Number of facets that should cover the cohesive zone, in which a bond softens.
 inline constexpr double facets_in_cohesive_zone = 3;
 
-/// The length E G/sigma_c^2 of the zone in which a cohesive tie softens, the shorter of tension and shear [mm].
-/// `modulus`: of the softer body [MPa].
+/// The length E G/sigma_c^2 of the cohesive zone of a tie, the shorter one of tension and shear [mm]. `modulus`: E of
+/// the softer body [MPa].
 double cohesive_zone(const mixture_contact::Cohesive& law, double modulus);
 
-/// Says that facets are too long for the cohesive zone; empty if they are not. `position`: of the surfaces' nodes.
+/// A line for the log if facets are too long for the cohesive zone; else empty. `position`: positions of the surfaces'
+/// nodes.
 std::string cohesive_zone_line(const mixture_contact::Tie& tie, const FacetMaterials& materials,
                                const mixture_contact::PerSide<mixture_contact::Matrix3Xd>& position);

@@ -13,7 +13,8 @@ namespace {
 
 using mixture_contact::PenaltyRule;
 
-/// A penalty that is not given is automatic and accurate; one that is given is a value, or with auto_penalty a factor.
+/// The rule of a penalty: automatic with a large factor by default. A penalty that the model sets is a value, or with
+/// auto_penalty a factor.
 PenaltyRule penalty_rule(const Varying& penalty, bool auto_penalty, double default_factor) {
   return penalty.given ? PenaltyRule{auto_penalty, penalty.value} : PenaltyRule{true, default_factor};
 }
@@ -32,7 +33,7 @@ mixture_contact::Enforcement enforcement(int laugon) {
   return laugon == 1 ? Enforcement::augmented_lagrangian : Enforcement::penalty;
 }
 
-/// Whether each of two surfaces that face each other has conditions of its own.
+/// True if both of two facing surfaces have conditions of their own.
 bool sees_both_ways(const ContactParameters& p) { return p.enforcement.two_pass || p.self_contact; }
 
 mixture_contact::Integration integration(const ContactParameters& p) {
@@ -41,24 +42,25 @@ mixture_contact::Integration integration(const ContactParameters& p) {
   return p.integration.rule.value == 1 ? Integration::segments : Integration::gauss;
 }
 
-/// The default traction factor that a solver without a tangent bears.
+/// The largest default factor of the traction penalty for a solver without a tangent.
 ///
-/// Conjugate gradients: what users of FEBio's interfaces choose. Explicit: two halves of a bar of equal elements
-/// (stiffness k, mass m) joined by a contact of stiffness factor k have a mode at the contact with m w^2/k = 2 + r +
-/// 1/r, where 1/r - r = 4 factor; the bar itself has 4. At 1/2 that shortens the critical time step by 9 percent, at 1
-/// by 21.
+/// Conjugate gradients: the usual choice in models with FEBio's interfaces. Explicit dynamics: two halves of a bar of
+/// equal elements (stiffness k, mass m), joined by a contact of `factor` k, have a mode at the contact with m w^2/k = 2
+/// + r + 1/r, where 1/r - r = 4 factor; the bar itself has 4. A factor of 1/2 reduces the critical time step by 9
+/// percent, a factor of 1 by 21 percent.
 double largest_traction_factor(SolverKind solver) {
   if (solver == SolverKind::newton) return std::numeric_limits<double>::infinity();
   return solver == SolverKind::conjugate_gradient ? 10 : 0.5;
 }
 
-/// What of a reduction an automatic traction factor bears: down to 1, the stiffness of the bodies.
+/// The divisor of an automatic traction penalty with this factor: limited such that the penalty is at least the
+/// stiffness of the bodies.
 double borne_reduction(const ContactParameters& p, double factor, double reduction) {
   const bool is_automatic = !p.penalties.traction.given && p.enforcement.laugon != lagmult;
   return is_automatic ? std::min(reduction, std::max(1.0, factor)) : 1.0;
 }
 
-/// Parameters of other interfaces, and of former versions, that mean nothing here.
+/// Adds complaints about parameters of other interfaces, or of former versions, that have no meaning here.
 void complain_of_unknown(std::vector<std::string>& list, const ContactParameters& p) {
   if (p.unused.extrapolation.given) {
     list.emplace_back(
@@ -193,8 +195,8 @@ bool is_relieved_by_fluid(const ContactParameters& p) {
 
 namespace {
 
-/// Tangential penalty over a traction penalty that is by default `factor` times the stiffness. Beside a given penalty
-/// it is the same one, as in FEBio's interfaces.
+/// The tangential penalty divided by a traction penalty of `factor` times the stiffness. If the model sets the traction
+/// penalty, the default is 1, as in FEBio's interfaces.
 double tangential_factor(const ContactParameters& p, double factor) {
   const Given<double>& own = p.friction.tangential_penalty;
   if (own.given || p.penalties.traction.given) return own.value;

@@ -1,5 +1,5 @@
-/// The parameters of <contact type="sliding-mixture"> in a model file, and their meaning to the contact core. Shared by
-/// the hosts.
+/// The parameters of <contact type="sliding-mixture"> in a model file, and the settings of the contact core that follow
+/// from them. All hosts use them.
 #pragma once
 
 #include "contact/base/effects.h"
@@ -13,18 +13,19 @@
 #include <string>
 #include <vector>
 
-/// A value, and whether the model sets it.
+/// A parameter's value, and whether the model sets it.
 template <class T>
 struct Given {
   T value{};
   bool given = false;
 };
 
-/// A value that a load curve may change.
+/// A value that may follow a load curve.
 struct Varying : Given<double> {
   bool varies = false;
 };
 
+/// Parameters of the enforcement.
 struct EnforcementParameters {
   int laugon = 0;  ///< 0: PENALTY, 1: AUGLAG, 2: LAGMULT
   int minaug = 0;
@@ -33,75 +34,83 @@ struct EnforcementParameters {
   bool symmetric_stiffness = false;
 };
 
+/// Parameters of the convergence of augmentations. An absolute tolerance is 0 if it is not used.
 struct ToleranceParameters {
-  Varying all{{2e-3}};  ///< <tolerance>: relative tolerance of each field that has none of its own [-]
-  Varying traction;     ///< <traction_tolerance>
-  Varying solvent;
-  Varying solute;
-  Varying gaptol;  ///< [length]
-  Varying ptol;    ///< [pressure]
-  Varying ctol;    ///< [concentration]
+  Varying all{{2e-3}};  ///< <tolerance>: relative tolerance of all fields without a tolerance of their own [-]
+  Varying traction;     ///< <traction_tolerance>: relative tolerance of the traction [-]
+  Varying solvent;      ///< <solvent_tolerance>: relative tolerance of the solvent [-]
+  Varying solute;       ///< <solute_tolerance>: relative tolerance of solutes [-]
+  Varying gaptol;       ///< largest gap [length]
+  Varying ptol;         ///< largest jump of the pressure [pressure]
+  Varying ctol;         ///< largest jump of a concentration [concentration]
 };
 
+/// Penalties: factors on the automatic penalties, or values without auto_penalty.
 struct PenaltyParameters {
-  Varying traction{{1}};  ///< <penalty>
-  Varying solvent{{1}};   ///< <pressure_penalty>
-  Varying solute{{1}};    ///< <concentration_penalty>
+  Varying traction{{1}};  ///< <penalty>: penalty of the traction
+  Varying solvent{{1}};   ///< <pressure_penalty>: penalty of the solvent flux
+  Varying solute{{1}};    ///< <concentration_penalty>: penalty of solute fluxes
   bool auto_penalty = false;
   bool update_penalty = false;
 };
 
+/// Parameters of the integration over the primary surface.
 struct IntegrationParameters {
-  Given<int> rule;  ///< <integration>; 0: gauss, 1: segments
-  int order = 0;    ///< <integration_order>
+  Given<int> rule;  ///< <integration>: 0 for gauss, 1 for segments
+  int order = 0;    ///< <integration_order>: order of the quadrature rule; 0: default
 };
 
+/// Parameters of the search for facing facets.
 struct SearchParameters {
-  Given<double> tolerance{0.01};  ///< <search_tol>
-  Given<double> radius;           ///< <search_radius> [length]
+  Given<double> tolerance{0.01};  ///< <search_tol>: see SearchRule::tolerance [-]
+  Given<double> radius;           ///< <search_radius>: see SearchRule::radius [length]
+  /// Accepted for models of FEBio's interfaces, without effect.
   int seg_up = 0;
 };
 
-/// The changes to a surface before the first step.
+/// Changes of a surface before the first step.
 struct SurfaceParameters {
   bool flip = false;
   bool shell_bottom = false;
 };
 
+/// Parameters of the gap.
 struct GapParameters {
   Varying offset;  ///< gap at which the surfaces are in contact without load [length]
   bool tension = false;
   bool node_reloc = false;
 };
 
+/// Parameters of the nodes out of contact.
 struct AmbientParameters {
-  bool free_draining = true;  ///< whether open nodes have the ambient values
-  double pressure = 0;        ///< <ambient_pressure>
+  bool free_draining = true;  ///< true: open nodes have the ambient values
+  double pressure = 0;        ///< <ambient_pressure> [pressure]
 };
 
+/// Parameters of friction.
 struct FrictionParameters {
-  Varying fric_coeff;               ///< [-]
-  Varying contact_frac;             ///< [-]
-  Varying tangential_penalty{{1}};  ///< over the traction penalty [-]
+  Varying fric_coeff;               ///< coefficient of friction [-]
+  Varying contact_frac;             ///< fraction of the contact area where solid touches solid [-]
+  Varying tangential_penalty{{1}};  ///< tangential penalty divided by the traction penalty [-]
 };
 
-/// A film between the surfaces; fields without a coefficient cross freely.
+/// A membrane between the surfaces. Fields without a coefficient cross freely.
 struct MembraneParameters {
-  Varying conductance;                  ///< <hydraulic_conductance> [length^3/(force time)]
-  std::vector<SoluteValue> permeance;   ///< <solute_permeance> [length/time]
-  std::vector<SoluteValue> reflection;  ///< <reflection> [-]
-  double thermal_energy = 0;            ///< R T of the model [pressure/concentration]
+  Varying conductance;                  ///< <hydraulic_conductance>: hydraulic conductance L_p [length^3/(force time)]
+  std::vector<SoluteValue> permeance;   ///< <solute_permeance>: permeance P_k of each solute [length/time]
+  std::vector<SoluteValue> reflection;  ///< <reflection>: reflection coefficient sigma_k of each solute [-]
+  double thermal_energy = 0;            ///< thermal energy R T of the model [pressure/concentration]
 };
 
-/// Whether helpers of the solver (newton/helper.h) are on. They act on the whole model.
+/// Switches of the devices of the solver (solver/helper.h), which act on the whole model.
 struct HelperParameters {
   Given<bool> predictor;
   Given<bool> non_negative_concentrations{true};
   Given<bool> line_search_guard{true};
-  Given<std::string> devices{"all"};  ///< <solver_devices>: see newton::named_devices()
+  Given<std::string> devices{"all"};  ///< <solver_devices>: names of the devices, see newton::named_devices()
 };
 
-/// Parameters of FEBio's interfaces without use here, and a former name.
+/// Parameters of FEBio's interfaces that have no effect here, and `extrapolation`, the former name of `predictor`.
 struct UnusedParameters {
   Given<int> knmult{1};
   Given<bool> smooth_aug;
@@ -109,9 +118,9 @@ struct UnusedParameters {
   Given<bool> extrapolation;
 };
 
-/// Values under FEBio's own names, by subject.
+/// All parameters of a contact, under FEBio's names where FEBio has them.
 struct ContactParameters {
-  std::string effects = "all";  ///< see decide_exchange()
+  std::string effects = "all";  ///< exchanged effects, see decide_exchange()
   EnforcementParameters enforcement;
   ToleranceParameters tolerances;
   PenaltyParameters penalties;
@@ -124,14 +133,15 @@ struct ContactParameters {
   MembraneParameters membrane;
   HelperParameters helpers;
   UnusedParameters unused;
-  bool self_contact = false;  ///< whether the surfaces have facets in common, as a host finds
+  bool self_contact = false;  ///< true if the surfaces have facets in common, set by the host
 };
 
-/// The switch of one of the solver's helpers, in addition to <solver_devices>, under the name of the device.
+/// A parameter that switches one device of the solver, in addition to <solver_devices>.
 struct HelperSwitch {
   newton::Device device;
   Given<bool> HelperParameters::* parameter;
 
+  /// The parameter of a contact.
   const Given<bool>& of(const ContactParameters& parameters) const { return parameters.helpers.*parameter; }
 };
 inline constexpr HelperSwitch predictor{newton::Device::predictor, &HelperParameters::predictor};
@@ -141,10 +151,10 @@ inline constexpr HelperSwitch line_search_guard{newton::Device::line_search_guar
                                                 &HelperParameters::line_search_guard};
 inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concentrations, line_search_guard, predictor};
 
-/// The unit of a parameter.
+/// The unit of a parameter in FEBio Studio.
 enum class Unit { none, length, pressure, concentration };
 
-/// The subject of a parameter, in the order in which a user finds it.
+/// The subject of a parameter, in the order of the documentation.
 enum class ParameterGroup {
   effects,
   enforcement,
@@ -157,8 +167,7 @@ enum class ParameterGroup {
   old_models
 };
 
-/// The heading of a group in FEBio Studio, which is that of the documentation; null if FEBio Studio does not
-/// offer the group.
+/// The heading of a group in FEBio Studio and in the documentation; null if FEBio Studio does not show the group.
 constexpr const char* heading(ParameterGroup group) {
   switch (group) {
     case ParameterGroup::effects:
@@ -183,18 +192,18 @@ constexpr const char* heading(ParameterGroup group) {
   return nullptr;
 }
 
-/// The form of a parameter in a model file.
+/// A parameter as FEBio's parameter lists and the documentation describe it.
 struct ParameterTag {
   const char* name = "";
-  const char* long_name = "";  ///< name in FEBio Studio
+  const char* long_name = "";  ///< display name in FEBio Studio
   ParameterGroup group = ParameterGroup::old_models;
   Unit unit = Unit::none;
-  const char* choices = nullptr;  ///< names of the values 0, 1, ..., each ended by a zero character
-  bool* given = nullptr;          ///< to be set where the model has the tag
-  bool* varies = nullptr;         ///< to be set where a load curve changes the value; null if none may
+  const char* choices = nullptr;  ///< names of the values 0, 1, ..., each terminated by a zero character
+  bool* given = nullptr;          ///< set to true if the model contains the parameter; null if not needed
+  bool* varies = nullptr;  ///< set to true if a load curve changes the value; null if load curves are not allowed
 };
 
-/// Parameters that hosts read in their own ways, each with its load curve.
+/// Parameters that each host reads in its own way.
 namespace hosts_own {
 inline constexpr ParameterTag ambient_pressure{"ambient_pressure", "ambient pressure", ParameterGroup::ambient,
                                                Unit::pressure};
@@ -202,11 +211,11 @@ inline constexpr ParameterTag ambient_concentration{"ambient_concentration", "am
                                                     ParameterGroup::ambient, Unit::concentration};
 inline constexpr ParameterTag solute_permeance{"solute_permeance", "membrane permeance", ParameterGroup::membrane};
 inline constexpr ParameterTag reflection{"reflection", "membrane reflection coefficient", ParameterGroup::membrane};
-/// Parameters with a value for each solute.
+/// Parameters with one value per solute.
 inline constexpr std::array<ParameterTag, 3> values_per_solute{ambient_concentration, solute_permeance, reflection};
 }  // namespace hosts_own
 
-/// Calls take(tag, value) for a parameter that knows whether the model sets it.
+/// Calls take(tag, value) for a parameter that records whether the model sets it.
 template <class Take>
 struct TakeGiven {
   const Take& take;
@@ -223,6 +232,7 @@ struct TakeGiven {
   }
 };
 
+/// Calls take(tag, value) for each parameter of the enforcement.
 template <class Take>
 void for_each_enforcement_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
@@ -246,6 +256,7 @@ void for_each_enforcement_parameter(ContactParameters& p, const Take& take) {
 }
 
 template <class Take>
+/// Calls take(tag, value) for each parameter of surfaces, integration and search.
 void for_each_surface_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   using mixture_contact::Side;
@@ -268,6 +279,7 @@ void for_each_surface_parameter(ContactParameters& p, const Take& take) {
 }
 
 template <class Take>
+/// Calls take(tag, value) for each parameter of the solution.
 void for_each_solution_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   const TakeGiven<Take> take_given{take};
@@ -280,6 +292,7 @@ void for_each_solution_parameter(ContactParameters& p, const Take& take) {
 }
 
 template <class Take>
+/// Calls take(tag, value) for each parameter of friction.
 void for_each_friction_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   const TakeGiven<Take> take_given{take};
@@ -289,6 +302,7 @@ void for_each_friction_parameter(ContactParameters& p, const Take& take) {
 }
 
 template <class Take>
+/// Calls take(tag, value) for the parameters of a membrane that are not in hosts_own.
 void for_each_membrane_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   const TakeGiven<Take> take_given{take};
@@ -296,6 +310,7 @@ void for_each_membrane_parameter(ContactParameters& p, const Take& take) {
 }
 
 template <class Take>
+/// Calls take(tag, value) for each parameter without effect.
 void for_each_unused_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
   const TakeGiven<Take> take_given{take};
@@ -305,8 +320,7 @@ void for_each_unused_parameter(ContactParameters& p, const Take& take) {
   take_given({"extrapolation", "predictor (former name)", Group::old_models}, p.unused.extrapolation);
 }
 
-/// Calls take(tag, value) for each parameter, with the variable that holds its value; but not for those of
-/// hosts_own.
+/// Calls take(tag, value) for each parameter, with the variable of its value. Parameters in hosts_own are not included.
 template <class Take>
 void for_each_parameter(ContactParameters& p, const Take& take) {
   using Group = ParameterGroup;
@@ -320,46 +334,48 @@ void for_each_parameter(ContactParameters& p, const Take& take) {
   for_each_unused_parameter(p, take);
 }
 
-/// The faults of the parameters, one sentence each that names the parameter and the allowed values; empty if there
-/// are none.
+/// The faults of the parameters, one sentence each with the name of the parameter and its allowed values; empty if
+/// there are none.
 std::vector<std::string> complaints(const ContactParameters& parameters);
 
-/// The fault of a load curve on a parameter that must not change in a run; empty if it may.
+/// The complaint about a load curve on a parameter that must be constant in a run; empty if it may vary.
 std::string load_curve_complaint(const ParameterTag& tag);
 
-/// Notices for a user about parameters that have no effect here, one sentence each.
+/// Notices for the user about parameters without effect, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
 
-/// Whether the surfaces resist sliding; a load curve may bring friction later.
+/// True if the contact has friction, or may get friction by a load curve.
 bool has_friction(const ContactParameters& parameters);
 
-/// Whether the fluid bears a part of the load that causes no friction, now or later by a load curve.
+/// True if a part of the load is borne by the fluid and causes no friction, or may be by a load curve.
 bool is_relieved_by_fluid(const ContactParameters& parameters);
 
-/// The effects that penalties, and conductances of membranes, of 0 leave out; one that a load curve changes leaves
-/// out nothing.
+/// The effects that penalties of 0 and membrane coefficients of 0 remove. A coefficient with a load curve removes no
+/// effect.
 struct LeftOut {
-  bool contact = false;  ///< without a penalty of the traction surfaces never touch
-  std::string solvent;   ///< the parameter that removes it; empty if there is none
+  bool contact = false;  ///< true: the surfaces never touch, because the traction has no penalty
+  std::string solvent;   ///< name of the parameter that removes the solvent flux; empty if there is none
   bool solutes = false;
-  std::vector<int> stopped_solutes;  ///< by a membrane with permeance 0 and reflection 1
+  std::vector<int> stopped_solutes;  ///< solutes that a membrane with permeance 0 and reflection 1 stops
 };
+/// The effects that the parameters remove.
 LeftOut left_out(const ContactParameters& parameters);
 
-/// Whether stiffness and conductance are read again at each time step: on request, and for exchanged solutes with
-/// automatic penalties, which follow the convection.
+/// True if stiffness and conductance have to be read again at each time step: on request, and with automatic penalties
+/// of exchanged solutes, which depend on convection.
 bool reads_properties_again(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 
-/// How the host's solver finds equilibrium, which bounds the traction penalty that it can bear where none is given.
+/// The solution method of the host, which limits the default traction penalty.
 enum class SolverKind {
-  newton,              ///< with the tangent: any
-  conjugate_gradient,  ///< without: convergence takes the longer the stiffer the contact is
-  explicit_dynamics    ///< the stiffer the contact, the shorter the critical time step
+  newton,              ///< with the tangent; any penalty is possible
+  conjugate_gradient,  ///< without the tangent; stiff contact converges slowly
+  explicit_dynamics    ///< stiff contact reduces the critical time step
 };
 
-/// The core's settings. `reduction`: divisor of an automatic penalty of the traction, but not below the stiffness of
-/// the bodies; a given one does not change.
+/// The settings of the contact core. `reduction`: reduced penalties after a failed step. An automatic traction penalty
+/// is divided by the divisor, but remains at least the stiffness of the bodies; a penalty that the model sets is not
+/// changed.
 mixture_contact::Settings core_settings(const ContactParameters& parameters, SolverKind solver = SolverKind::newton,
                                         const mixture_contact::ReducedPenalty& reduction = {});
-/// Whether a reduction has an effect.
+/// True if reduced penalties have an effect for these parameters.
 bool is_reducible(const ContactParameters& parameters, SolverKind solver);

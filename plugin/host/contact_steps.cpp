@@ -28,7 +28,7 @@ Changed ContactSteps::Changes::kind() const {
   return loads ? Changed::loads : Changed::nothing;
 }
 
-/// Decides what is in contact at this state, and what is at ambient values.
+/// Decides which nodes are in contact at this state, and which have ambient values.
 ContactSteps::Changes ContactSteps::begin_iteration() {
   bool loads = false;
   const bool linearises = model_.matrix_use() != MatrixUse::none;
@@ -49,8 +49,8 @@ void ContactSteps::evaluate(const void* told) {
   bool changed = false;
   switch (stepper_.evaluate()) {
     case Stepper::Evaluation::keep_active_set:
-      // The active set changes where a matrix is formed or a linearisation corrected: where neither of the matrix that
-      // quasi-Newton methods keep serves, they have to form one.
+      // The active set can change only with a new matrix, or with a corrected linearisation. If the matrix of a
+      // quasi-Newton method permits no correction, a new matrix is requested.
       if (model_.matrix_use() == MatrixUse::kept) model_.request_matrix(!keeps_matrix());
       return;
     case Stepper::Evaluation::begin_anew:
@@ -70,13 +70,13 @@ void ContactSteps::evaluate(const void* told) {
 
 void ContactSteps::try_increment(const void* told, const std::vector<double>& increment) {
   if (!trials_.opens(told)) return;
-  // Where no matrix is ever formed no iteration would begin at an accepted state: each evaluation is of the true laws.
+  // A method without matrices begins no iteration at an accepted state: each evaluation uses the true laws.
   if (model_.matrix_use() != MatrixUse::none) stepper_.try_state();
   for (SteppedContact* contact : model_.active_contacts()) contact->project();
   helpers_.try_increment(increment);
 }
 
-/// Evaluates the model with what is held.
+/// Evaluates the model with the present linearisation.
 void ContactSteps::evaluate_again() {
   stepper_.try_state();
   model_.evaluate();
@@ -90,14 +90,14 @@ void ContactSteps::start_at_prediction() {
     for (SteppedContact* contact : model_.active_contacts()) contact->linearise_at();
     if (model_.apply_ambient()) evaluate_again();
   } else if (!has_begun()) {
-    model_.evaluate();  // a predicted state was dropped: the plain start is evaluated anew
+    model_.evaluate();  // a rejected prediction: evaluate the start without prediction again
   }
 }
 
 void ContactSteps::before_matrix() {
-  // At the start of a step and after an augmentation an evaluation has begun the iteration already, and the host's
-  // residual is the right one. Elsewhere the host accepts a state whose residual it has evaluated with loads that may
-  // change now; then the residual is evaluated again when the matrix is done. Bodies depend on nodal values alone.
+  // At the start of a step and after an augmentation, an evaluation has begun the iteration, and the host's residual is
+  // valid. Otherwise, the host accepts a state with a residual from before the change of the loads; the residual is
+  // evaluated again after the matrix has been assembled. Bodies depend on nodal values only.
   Changes changes{false, false};
   switch (stepper_.before_matrix()) {
     case Stepper::Matrix::predict:
@@ -127,7 +127,7 @@ void ContactSteps::bring_residual_up_to_date() {
 }
 
 void ContactSteps::end_iteration() {
-  bring_residual_up_to_date();  // hosts tell nobody of matrices that they form after augmentations
+  bring_residual_up_to_date();  // hosts do not announce matrices after augmentations
   if (model_.matrix_use() != MatrixUse::kept) return;
   if (stepper_.phase() == Phase::evaluated && model_.replaces_matrix()) return;
   if (!stepper_.keep_matrix()) return;
@@ -149,8 +149,8 @@ bool ContactSteps::is_solution() {
 
 bool ContactSteps::accepts(const void* told) {
   if (!convergences_.opens(told)) return stepper_.phase() == Phase::converged;
-  // The host has converged with the active set and the gaps that were held: it is a solution only if the true laws
-  // agree.
+  // The host has converged with a constant active set and linearised gaps: the state is a solution only if the true
+  // laws agree.
   const bool solved = is_solution();
   bool accepted = solved && helpers_.are_settled();
   if (accepted) {

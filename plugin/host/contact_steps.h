@@ -1,7 +1,7 @@
-/// The actions of a host of contacts at each call, by the phase that it is in (stepper.h).
+/// The actions of a host on its contacts at each of the host's calls, by the phase of the solution (stepper.h).
 ///
-/// There is one for a model, and it acts on all contacts of the model: hosts that inform each contact of a call pass
-/// on which one it is, and the first one to be called does it for all.
+/// A model has one ContactSteps for all its contacts. A host that notifies each contact of an event passes the contact
+/// with the call; the first call of each event acts for all contacts.
 #pragma once
 
 #include "solver/helper.h"
@@ -11,7 +11,7 @@
 
 namespace mixture_contact {
 
-/// A contact, at the present state of its model.
+/// A contact at the present state of its model, as ContactSteps uses it.
 class SteppedContact {
  public:
   SteppedContact() = default;
@@ -21,34 +21,39 @@ class SteppedContact {
   SteppedContact& operator=(SteppedContact&&) = delete;
   virtual ~SteppedContact() = default;
 
+  /// Projects the integration points at the present positions.
   virtual void project() = 0;
+  /// Prepares the contact for a new time step.
   virtual void prepare_step() = 0;
+  /// Removes the linearisation of the iterations.
   virtual void end_iterations() = 0;
-  /// Returns whether loads have changed.
+  /// Begins a Newton iteration. Returns true if loads have changed.
   virtual bool begin_iteration() = 0;
-  /// Holds loads of the true laws at this state, without their linearisation, for an evaluation that no matrix follows.
+  /// Sets the loads of the true laws at this state, without linearisation, for an evaluation that no matrix follows.
   virtual void hold_loads() = 0;
+  /// Moves the linearisation point of the iteration to the present state.
   virtual void linearise_at() = 0;
-  /// Whether the next iteration can use the matrix of this one, with its linearisation corrected by correct().
+  /// True if the next iteration can use the matrix of this one, with its linearisation corrected by correct().
   virtual bool keeps_matrix() = 0;
-  /// Begins an iteration with the linearisation that is held: its gaps and jumps take their true values.
-  /// Returns whether loads change.
+  /// Begins an iteration with the present linearisation, after gaps and jumps have been set to their true values.
+  /// Returns true if loads change.
   virtual bool correct() = 0;
+  /// True if the state is a solution of the contact laws.
   virtual bool is_solution() = 0;
-  /// Whether a state has edge nodes that have to be tried once more; it is no solution then.
+  /// True if the state has edge nodes that have to be tried once more; it is not a solution then.
   virtual bool reconsiders_edge() = 0;
-  /// Whether overlaps detected at a converged state change the loads.
+  /// True if overlaps that are detected at a converged state change the loads.
   virtual bool finds_overlap() = 0;
 };
 
-/// How a host's method uses matrices.
+/// The matrices of the host's solution method.
 enum class MatrixUse {
-  each_iteration,  ///< full Newton: a new one for each
-  kept,            ///< quasi-Newton, modified Newton: several iterations use one
-  none             ///< products with the tangent are differences of residuals
+  each_iteration,  ///< full Newton: a new matrix in each iteration
+  kept,            ///< quasi-Newton, modified Newton: several iterations use one matrix
+  none             ///< matrix-free: differences of residuals replace products with the tangent
 };
 
-/// The model that the contacts are in.
+/// The model of the contacts, as ContactSteps uses it.
 class SteppedModel {
  public:
   SteppedModel() = default;
@@ -58,69 +63,77 @@ class SteppedModel {
   SteppedModel& operator=(SteppedModel&&) = delete;
   virtual ~SteppedModel() = default;
 
+  /// The contacts that are active in the present step.
   virtual std::vector<SteppedContact*> active_contacts() = 0;
-  /// Sets nodes outside all contacts to ambient values and frees the others. Returns whether anything changed.
+  /// Sets nodes out of contact to ambient values and frees all others. Returns true if any value or node has changed.
   virtual bool apply_ambient() = 0;
-  /// Evaluates bodies and contacts at the present state, by way of ContactSteps::evaluate().
+  /// Evaluates bodies and contacts at the present state; this calls ContactSteps::evaluate().
   virtual void evaluate() = 0;
-  /// Requests an evaluation of the bodies after the contacts, within an evaluation.
+  /// Requests another evaluation of the bodies after that of the contacts, during an evaluation.
   virtual void evaluate_bodies_after_contacts() = 0;
-  /// Evaluates the residual again, or its changed parts.
+  /// Evaluates the residual again, or the part of it that has changed.
   virtual void evaluate_residual(Changed what) = 0;
-  /// Contacts have corrected their linearisations. Corrects the host's residual and matrix for their loads, and for
-  /// nodes that have opened or closed.
+  /// Corrects the host's residual and matrix after contacts have corrected their linearisations: for the changed loads,
+  /// and for nodes that have opened or closed.
   virtual void correct_residual() = 0;
+  /// The use of matrices in the present step.
   virtual MatrixUse matrix_use() = 0;
-  /// Whether as many iterations have been corrected with one matrix as the host's limit on them allows.
+  /// True if the host's limit on the number of iterations with one matrix is reached.
   virtual bool is_matrix_due() = 0;
-  /// An iteration has ended, and the next one keeps the matrix. If too much of the residual remains, the host forms a
-  /// new matrix at this state. Returns whether it has.
+  /// Called when an iteration has ended and the next one would keep the matrix. Assembles a new matrix at this state if
+  /// too much of the residual remains, and returns true if it has.
   virtual bool replaces_matrix() = 0;
-  /// Says whether the next iteration needs a matrix of its own.
+  /// Requests a new matrix for the next iteration, or withdraws the request.
   virtual void request_matrix(bool is_needed) = 0;
-  /// A converged state has been rejected for the n-th time in a step.
+  /// Reports that a converged state has been rejected for the n-th time in a step.
   virtual void rejected(int n, GoesOn with) = 0;
+  /// Reports that a converged state has been accepted.
   virtual void accepted() = 0;
 };
 
+/// Performs the actions of a model's contacts at each call of the host.
 class ContactSteps {
  public:
   ContactSteps(SteppedModel& model, newton::Helpers& helpers) : model_(model), helpers_(helpers) {}
 
-  /// A contact has become active: its iterations begin at the present state.
+  /// Begins the iterations of a contact that has become active, at the present state.
   void activate(SteppedContact& contact);
-  /// The set of active contacts has changed, or a step begins: no call is under way.
+  /// Resets the detection of repeated calls, because the set of active contacts has changed or a step begins.
   void reset_rounds();
 
-  // Calls that a host makes for each contact
-  /// Returns whether this contact is the first one to be called.
+  // Calls that a host makes for each contact; `told` identifies the contact.
+  /// Prepares all contacts for a step. Returns true at the first call of an event.
   bool prepare_step(const void* told);
+  /// Evaluates all contacts at the present state.
   void evaluate(const void* told);
+  /// Notes that the host has set a trial state by this increment.
   void try_increment(const void* told, const std::vector<double>& increment);
+  /// Begins an iteration if the host is about to assemble a matrix.
   void before_matrix();
-  /// The host has converged. Returns whether the state is accepted as a solution.
+  /// Decides at a converged state of the host. Returns true if the state is accepted as a solution.
   bool accepts(const void* told);
 
-  // Calls for the model
+  // Calls that a host makes once for the model.
+  /// Notes that the host has assembled a matrix.
   void matrix_formed();
-  /// An iteration of a host has ended, and the host continues.
+  /// Notes that an iteration has ended and that the host continues.
   void end_iteration();
   void end_step() { helpers_.end_step(); }
-  /// The state at the start of a failed attempt has been restored.
+  /// Notes that the state at the start of a failed attempt has been restored.
   void rewind();
-  /// A run is continued.
+  /// Notes that a run is continued from a restart file.
   void restart();
 
-  /// Whether matrices may have further unknowns that follow nodal values.
+  /// True if matrices may have further unknowns that depend on nodal values.
   bool allow_further_unknowns() const { return !helpers_.multiply_by_matrix(); }
-  /// Whether an iteration has begun at the present state, so that nothing but the matrix is left to do.
+  /// True if an iteration has begun at the present state, such that only the matrix has to be assembled.
   bool has_begun() const { return stepper_.phase() == Phase::begun || stepper_.phase() == Phase::step_prepared; }
 
  private:
-  /// The changes at the start of an iteration.
+  /// The parts of the model that change at the start of an iteration.
   struct Changes {
-    bool loads;   ///< of contacts
-    bool values;  ///< at nodes, which the bodies depend on
+    bool loads;   ///< loads of contacts
+    bool values;  ///< nodal values, on which the bodies depend
     Changed kind() const;
   };
   Changes begin_iteration();

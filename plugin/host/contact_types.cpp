@@ -9,7 +9,7 @@
 
 namespace {
 
-/// A text in JSON; names and headings have no character below the space.
+/// A text in JSON; names and headings contain no control characters.
 std::string quoted(const char* text) {
   if (text == nullptr) return "null";
   std::ostringstream out;
@@ -38,7 +38,7 @@ std::string choices_json(const char* choices) {
   return "[" + list + "]";
 }
 
-/// A kind of parameter, and a default as it would stand in a model file.
+/// The kind of a parameter, and its default in the form of a model file.
 struct Value {
   const char* kind;
   std::string text;
@@ -59,7 +59,7 @@ std::string parameter_json(const ParameterTag& tag, const Value& value, bool may
          choices_json(tag.choices) + R"(, "curve": )" + (may_follow_curve ? "true" : "false") + "}";
 }
 
-/// A list in JSON, from its parts.
+/// A list in JSON, made of its entries.
 class List {
  public:
   void add(const std::string& part) { text_ += (text_.empty() ? "\n    " : ",\n    ") + part; }

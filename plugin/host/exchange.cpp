@@ -61,14 +61,14 @@ void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
   }
 }
 
-/// Why there is no traction.
+/// The reason why no traction is exchanged, for the summary.
 const char* without_traction(Motion motion) {
   if (motion == Motion::tied) return " No traction: <effects> leaves it out.";
   return motion == Motion::untouched ? " No traction: <penalty> is 0."
                                      : " No traction: the displacements of both surfaces are fixed.";
 }
 
-/// Decides on friction; what is said of it follows the effects in the summary.
+/// Decides on friction. `present` and `absent`: texts for the summary.
 void decide_friction(bool wanted, bool named, const FrictionRequest& friction, Exchange& result,
                      std::vector<std::string>& present, std::string& absent) {
   if (named && !friction.has_coefficient)

@@ -6,7 +6,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// Conductance for a solute, or the solvent (-1); none where the material does not know it.
+/// Conductance for a solute, or for the solvent (-1); empty if the material is impermeable to it.
 std::optional<double> conductance(const FacetMaterial& material, int solute) {
   if (solute < 0) return material.permeable ? std::optional<double>(material.permeability) : std::nullopt;
   const auto entry = material.solutes.find(solute);

@@ -1,4 +1,4 @@
-/// The materials behind the facets of a contact, as hosts find them and as the core takes them.
+/// The materials behind the facets of a contact, as hosts find them, and their transfer to the contact core.
 #pragma once
 
 #include "contact/interface/interface.h"
@@ -8,36 +8,37 @@
 #include <string>
 #include <vector>
 
-/// Properties of the element behind a facet, per area and over the element's thickness in the reference configuration.
+/// Properties of the element behind a facet per area, divided by the element's thickness in the reference
+/// configuration.
 struct FacetMaterial {
-  double thickness = 0;     ///< of the element [mm]
-  double stiffness = 0;     ///< normal stiffness over thickness [N/mm^3]; infinite if rigid
-  bool permeable = false;   ///< whether the solvent can pass
+  double thickness = 0;     ///< thickness of the element [mm]
+  double stiffness = 0;     ///< normal stiffness modulus over thickness [N/mm^3]; infinite if rigid
+  bool permeable = false;   ///< true if the material is permeable to the solvent
   double permeability = 0;  ///< hydraulic permeability over thickness [mm^3/(N s)]
   std::map<int, double>
-      solutes;  ///< solute index -> porosity x solubility x diffusivity over thickness, plus convection [mm/s]
+      solutes;  ///< per solute index: porosity x solubility x diffusivity over thickness, plus convection [mm/s]
 };
 
-/// The materials behind all facets of the two surfaces.
+/// The materials behind all facets of both surfaces.
 using FacetMaterials = mixture_contact::PerSide<std::vector<FacetMaterial>>;
 
-/// The solvent and the solutes of a model, by their names, as a contact between these surfaces finds them: a field that
-/// a surface lacks everywhere is an obstacle.
+/// The solvent and the solutes of a model, as fields at a contact. A field that a surface lacks everywhere has an
+/// obstacle. `surfaces`: names of the surfaces; `solutes`: names of the solutes.
 std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
                                               const mixture_contact::PerSide<std::string>& surfaces,
                                               const std::vector<std::string>& solutes);
 
-/// Whether the material behind any facet of either surface contains a fluid.
+/// True if the material behind a facet of either surface contains a fluid.
 bool has_fluid(const FacetMaterials& materials);
 
-/// Sets the materials behind the facets of a mesh.
+/// Sets the properties of a mesh from the materials behind its facets.
 void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,
                    const mixture_contact::Effects& effects);
 
-/// Gives the core the present materials, for its automatic penalties.
+/// Sets the present materials in the contact core, for its automatic penalties.
 void update_materials(mixture_contact::ContactInterface& core, const FacetMaterials& materials);
 
-/// The solute that a field in the order of Effects is; -1: the solvent, exchanged or read by friction alone.
+/// The solute index of a field in the order of Effects; -1 for the solvent, also if only friction reads its pressure.
 int solute_of(const mixture_contact::Effects& effects, int field);
-/// The solute of each exchanged field, as solute_of() numbers it.
+/// The solute index of each exchanged field; -1 for the solvent.
 std::vector<int> exchanged_solutes(const mixture_contact::Effects& effects);

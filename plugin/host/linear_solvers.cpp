@@ -4,13 +4,13 @@
 
 namespace {
 
-/// Solvers that read one triangle of the matrix.
+/// Solvers that use one triangle of the matrix only.
 const std::set<std::string>& symmetric_only() {
   static const std::set<std::string> types{"skyline", "cg", "hypre_pcg_amg"};
   return types;
 }
 
-/// Krylov methods: with or without an incomplete factorisation they divide by the diagonal, or do not converge.
+/// Krylov methods: with or without incomplete factorisation they divide by the diagonal, or do not converge.
 const std::set<std::string>& iterative() {
   static const std::set<std::string> types{"fgmres", "bicgstab", "hypre_gmres", "boomeramg"};
   return types;

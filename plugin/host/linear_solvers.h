@@ -1,18 +1,18 @@
-/// FEBio's linear solvers: those that can solve the matrix of a contact, and those that take loads as further unknowns.
+/// Requirements of matrices with a contact on FEBio's linear solvers.
 #pragma once
 
 #include <string>
 
-/// The requirements of a matrix with a contact on a linear solver.
+/// The kind of a matrix with contacts.
 struct MatrixKind {
-  bool symmetric = false;    ///< whether all contacts keep it symmetric
-  bool multipliers = false;  ///< whether it holds multipliers, whose diagonal is zero
+  bool symmetric = false;    ///< true if all contacts keep the matrix symmetric
+  bool multipliers = false;  ///< true if the matrix contains multipliers, whose diagonal entries are zero
 };
 
-/// The reason why FEBio's solver of this type cannot solve such a matrix ("pardiso", "fgmres", ...), and another one to
-/// take; empty if there is none.
+/// The reason why FEBio's linear solver of this type ("pardiso", "fgmres", ...) cannot solve such a matrix, with a
+/// solver that can; empty if it can.
 std::string linear_solver_complaint(const std::string& type, MatrixKind matrix);
 
-/// Whether a solver of this type may be given loads at nodes as further unknowns (mixed_form.h), whose rows and columns
-/// are of other sizes than the rest: those that scale the matrix and choose their pivots by its values.
+/// True if a solver of this type can handle nodal loads as further unknowns (mixed_form.h), whose rows and columns have
+/// entries of different size: solvers that scale the matrix and choose pivots by value.
 bool takes_mixed_form(const std::string& type);

@@ -19,7 +19,7 @@ bool exchanges(const Effects& effects, int solute) {
   return std::find(effects.solutes.begin(), effects.solutes.end(), solute) != effects.solutes.end();
 }
 
-/// A solute that has one of two values without the other.
+/// Adds a complaint for each solute that has the value `one` without the value `other`.
 void require_both(const char* one, const std::vector<SoluteValue>& values, const char* other,
                   const std::vector<SoluteValue>& others, std::vector<std::string>& list) {
   for (const SoluteValue& value : values) {

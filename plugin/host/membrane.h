@@ -1,4 +1,4 @@
-/// Membranes between the surfaces: their parameters in a model, and faults of these.
+/// The parameters of membranes in a model, and their faults.
 #pragma once
 
 #include "contact/base/effects.h"
@@ -8,16 +8,17 @@
 #include <string>
 #include <vector>
 
-/// The faults of the parameters of a membrane, one sentence each; empty if there are none. `solutes`: how many the
-/// model has.
+/// The faults of the parameters of a membrane, one sentence each; empty if there are none. `solutes`: number of solutes
+/// in the model.
 std::vector<std::string> membrane_complaints(const MembraneParameters& membrane, int solutes);
 
-/// The faults of a membrane in view of the exchange: reflected solutes need a film that the solvent crosses.
+/// The faults of a membrane for the exchanged effects, one sentence each: reflected solutes require a membrane that the
+/// solvent can cross.
 std::vector<std::string> membrane_complaints(const MembraneParameters& membrane,
                                              const mixture_contact::Effects& effects);
 
-/// Notices for a user about parameters of a membrane that have no effect, one sentence each.
+/// Notices for the user about parameters of a membrane without effect, one sentence each.
 std::vector<std::string> membrane_notices(const ContactParameters& parameters, const mixture_contact::Effects& effects);
 
-/// The film as the core takes it.
+/// The settings of the membrane for the contact core.
 mixture_contact::MembraneRule membrane_rule(const MembraneParameters& membrane);

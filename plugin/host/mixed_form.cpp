@@ -1,7 +1,7 @@
 #include "host/mixed_form.h"
 
 MixedForm mixed_form(const mixture_contact::LoadBlock& load) {
-  // z = scale variation.du/|variation|
+  // The unknown is z = load_unknown_scale variation.du/|variation|.
   const double length = load.variation.norm();
   const double of_one = load.factor * length / load_unknown_scale;
   return {of_one * load.work, load.variation / length, -1 / load_unknown_scale, of_one};

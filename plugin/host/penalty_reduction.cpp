@@ -6,7 +6,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Steps after which a recovery is tried again at the latest.
+/// Largest number of accepted steps until a recovery is tried again.
 constexpr int most_patience = 64;
 
 }  // namespace
@@ -28,7 +28,7 @@ bool PenaltyReduction::fail(double dt) {
 
 void PenaltyReduction::accept() {
   if (is_full()) {
-    // Full penalties have been borne: the next recovery may be quicker.
+    // A step with full penalties has been accepted: the next recovery may be faster.
     recovered_ = 0;
     patience_ = std::max(1, patience_ / 2);
     return;

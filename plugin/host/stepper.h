@@ -1,8 +1,8 @@
-/// The order of a host's calls around a contact: time steps, iterations, trials, augmentations.
+/// The phases of a contact between the calls of its host: time steps, iterations, trial states, augmentations.
 ///
-/// A host solves a step by Newton's method. The contacts of its model are in one of a few phases between two of its
-/// calls, and the phase alone decides the meaning of a call. The machine knows no host: it receives events and returns
-/// actions.
+/// A host solves a step by Newton's method. The contacts of its model are in one of the following phases between two
+/// calls, and the phase determines the meaning of a call. Stepper does not depend on the host: it receives events and
+/// returns actions.
 ///
 ///     converged ---evaluate---> begun ---prepare_step---> step_prepared
 ///     begun, step_prepared, evaluated, uncorrected ---form_matrix---> forming, forming_loads, forming_anew
@@ -18,63 +18,71 @@
 
 namespace mixture_contact {
 
+/// The phases of the contacts.
 enum class Phase {
-  converged,      ///< nothing is held: a step, or the iterations after an augmentation, may begin
+  converged,      ///< no linearisation is kept; a step, or the iterations after an augmentation, may begin
   begun,          ///< an iteration has begun at this state
-  step_prepared,  ///< as `begun`, in the first iteration of a time step
-  forming,        ///< a matrix is formed; the host's residual is that of this state
-  forming_loads,  ///< a matrix is formed; loads of contacts have changed since the host evaluated its residual
-  forming_anew,   ///< a matrix is formed; values have changed since, that the bodies depend on, too
-  trial,          ///< a trial state is set, but not evaluated yet; the active set is held
-  evaluated,      ///< a trial state has been evaluated
-  rejected,       ///< the host has converged at a state that the contacts reject
-  uncorrected,    ///< as `rejected`, with the held linearisation corrected and used again
-  corrected       ///< an iteration has begun with the matrix and the linearisation of the last one
+  step_prepared,  ///< an iteration has begun at this state, the first one of a time step
+  forming,        ///< a matrix is assembled; the host's residual is that of this state
+  forming_loads,  ///< a matrix is assembled; loads of contacts have changed since the host evaluated its residual
+  /// A matrix is assembled; nodal values, on which the bodies depend, have changed since the host evaluated its
+  /// residual.
+  forming_anew,
+  trial,      ///< a trial state is set but not evaluated; the active set is constant
+  evaluated,  ///< a trial state has been evaluated
+  rejected,   ///< the host has converged at a state that the contacts reject; a new matrix follows
+  /// The host has converged at a state that the contacts reject; the corrected linearisation is used again.
+  uncorrected,
+  corrected  ///< an iteration has begun with the matrix and the linearisation of the last one
 };
 
-/// The start of the iteration after a rejected convergence.
+/// The matrix of the iteration after a rejected convergence.
 enum class GoesOn {
   matrix,     ///< a new matrix
-  correction  ///< the earlier matrix, with its linearisation corrected
+  correction  ///< the present matrix, with its linearisation corrected
 };
 
-/// The part of the model that has changed since the host evaluated its residual.
+/// The parts of the model that have changed since the host evaluated its residual: nothing, loads of contacts, or also
+/// nodal values.
 enum class Changed { nothing, loads, all };
 
+/// The present phase of the contacts, and the actions that follow from the events of the host.
 class Stepper {
  public:
-  /// The actions of an evaluation of the model.
+  /// The action of the contacts when the model is evaluated.
   enum class Evaluation {
-    keep_active_set,    ///< of a trial: nothing changes
-    begin_anew,         ///< a step or an augmentation: drop the held linearisation, and begin an iteration
-    go_on,              ///< convergence was rejected: begin an iteration from the prediction of the last one
-    keep_linearisation  ///< convergence was rejected: the iteration continues with the held linearisation
+    keep_active_set,  ///< after a trial: no status changes
+    begin_anew,  ///< at the start of a step or after an augmentation: remove the linearisation and begin an iteration
+    go_on,       ///< after a rejected convergence: begin an iteration from the prediction of the last one
+    keep_linearisation  ///< after a rejected convergence: the iteration continues with the present linearisation
   };
+  /// The model is evaluated. Returns the action.
   Evaluation evaluate();
 
-  /// A time step begins at the state that has just been evaluated.
+  /// A time step begins at the state that was just evaluated.
   void prepare_step();
 
   /// A trial state has been set.
   void try_state() { phase_ = Phase::trial; }
 
-  /// The actions before a matrix is formed.
+  /// The action before a matrix is assembled.
   enum class Matrix {
-    predict,   ///< the first one of a step: a predictor may move the model
-    nothing,   ///< an iteration has begun at this state already
-    begin,     ///< the state of the last trial is accepted: begin an iteration
-    is_formed  ///< the host has been informed already
+    predict,   ///< the first matrix of a step: a predictor may change the state
+    nothing,   ///< an iteration has already begun at this state
+    begin,     ///< the last trial state is accepted: begin an iteration
+    is_formed  ///< the assembly has been announced already
   };
+  /// The action before a matrix is assembled.
   Matrix before_matrix() const;
-  /// The matrix is formed now.
+  /// A matrix is assembled. `changed`: parts of the model that have changed since the host evaluated its residual.
   void form_matrix(Changed changed);
-  /// The matrix has been formed. Returns the part of the host's residual that has to be evaluated again.
+  /// A matrix has been assembled. Returns the part of the residual that the host has to evaluate again.
   Changed matrix_formed();
 
-  /// The host continues from the state of the last trial. Returns whether it keeps its matrix.
+  /// The host continues from the last trial state. Returns true if it keeps its matrix.
   bool keep_matrix();
 
-  /// The contacts accept the state at which the host has converged, or augment there.
+  /// The contacts accept the state at which the host has converged, or augment at it.
   void accept() { phase_ = Phase::converged; }
   /// The contacts reject the state at which the host has converged. Returns the number of rejections in this step.
   int reject(GoesOn with);
@@ -86,14 +94,14 @@ class Stepper {
 
  private:
   Phase phase_ = Phase::converged;
-  int rejections_ = 0;  ///< in this step
+  int rejections_ = 0;  ///< number of rejections in this step
 };
 
-/// Distinguishes a host that informs several participants of one event, one after the other, from a host that informs
-/// them of the next event: a round ends where a participant is informed again.
+/// Recognises whether a host notifies further contacts of the same event, or of the next event: a new event begins when
+/// a contact is notified for the second time.
 class Round {
  public:
-  /// Whether this participant is the first one to be informed.
+  /// True if the notification of this participant is the first one of an event.
   bool opens(const void* participant);
   void reset() { told_.clear(); }
 

@@ -61,7 +61,7 @@ void complain_of_lacking(std::vector<std::string>& list, const BreakingParameter
   require(p.viscosity.given, "viscosity", p.fracture_energy.given, "fracture_energy");
 }
 
-/// Values of the sliding contact of broken nodes where none can break.
+/// Adds complaints about parameters of the sliding contact of broken nodes if the tie cannot break.
 void complain_of_sliding(std::vector<std::string>& list, const TieParameters& p) {
   if (p.breaking.max_traction.given) return;
   const auto refuse = [&](bool given, const std::string& name) {

@@ -1,5 +1,5 @@
-/// The parameters of <contact type="tied-mixture"> in a model file: a part of those of sliding contact, under the same
-/// names and with the same meaning.
+/// The parameters of <contact type="tied-mixture"> in a model file: some of those of sliding contact with the same
+/// names and meaning, and those of breaking.
 #pragma once
 
 #include "contact/tie/breaking.h"
@@ -10,27 +10,28 @@
 #include <string>
 #include <vector>
 
-/// The values at which a tie breaks. It lasts for ever without a strength.
+/// Parameters of breaking. A tie without a strength never breaks.
 struct BreakingParameters {
-  Given<double> max_traction;           ///< sigma_c [MPa]
-  Given<double> max_shear;              ///< tau_c [MPa]; by default sigma_c
-  Given<double> fracture_energy;        ///< G_n [N/mm]
-  Given<double> fracture_energy_shear;  ///< G_s [N/mm]; by default G_n
-  Given<double> mixing{2};              ///< eta [-]
-  Given<double> viscosity;              ///< tau, by which damage lags behind the opening [s]
+  Given<double> max_traction;           ///< sigma_c, strength in tension [MPa]
+  Given<double> max_shear;              ///< tau_c, strength in shear [MPa]; default: sigma_c
+  Given<double> fracture_energy;        ///< G_n, fracture energy in tension [N/mm]
+  Given<double> fracture_energy_shear;  ///< G_s, fracture energy in shear [N/mm]; default: G_n
+  Given<double> mixing{2};              ///< eta, exponent of mixed modes [-]
+  Given<double> viscosity;              ///< tau, time constant of damage [s]
 };
 
-/// The parameters of a tie. Those of friction and of the ambient are of the sliding contact of nodes that have broken.
+/// The parameters of a tie. Those of friction and of ambient values apply to the sliding contact of broken nodes.
 struct TieParameters : ContactParameters {
   BreakingParameters breaking;
-  bool has_ambient = false;  ///< whether the model gives any value of the ambient
+  bool has_ambient = false;  ///< true if the model sets a parameter of ambient values
 };
 
-/// Whether a tie has this parameter of sliding contact, however long it lasts.
+/// True if a tie has this parameter of sliding contact, whether it can break or not.
 bool is_parameter_of_ties(const ParameterTag& tag);
-/// Whether a parameter of sliding contact is of nodes that have broken.
+/// True if a parameter of sliding contact applies to broken nodes only.
 bool is_parameter_of_broken_nodes(const ParameterTag& tag);
 
+/// Calls take(tag, value) for each parameter of the law by which a tie breaks.
 template <class Take>
 void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
   using Group = ParameterGroup;
@@ -43,7 +44,7 @@ void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
   take_given({"viscosity", "time constant of damage", Group::breaking}, p.viscosity);
 }
 
-/// Calls take(tag, value) for each parameter of a tie that lasts for ever.
+/// Calls take(tag, value) for each parameter of a tie that cannot break.
 template <class Take>
 void for_each_lasting_tie_parameter(ContactParameters& parameters, const Take& take) {
   for_each_parameter(parameters, [&](const ParameterTag& tag, auto& value) {
@@ -51,7 +52,7 @@ void for_each_lasting_tie_parameter(ContactParameters& parameters, const Take& t
   });
 }
 
-/// Calls take(tag, value) for each parameter of a tie, but not for those of hosts_own.
+/// Calls take(tag, value) for each parameter of a tie. Parameters in hosts_own are not included.
 template <class Take>
 void for_each_tie_parameter(TieParameters& parameters, const Take& take) {
   for_each_lasting_tie_parameter(parameters, take);
@@ -63,22 +64,22 @@ void for_each_tie_parameter(TieParameters& parameters, const Take& take) {
   for_each_breaking_parameter(parameters.breaking, take);
 }
 
-/// How the tie breaks in a step of this length [s].
+/// The law by which the tie breaks, in a step of length `time_step` [s].
 mixture_contact::BreakingLaw breaking_law(const BreakingParameters& parameters, double time_step);
 
-/// The faults of the parameters, those of breaking among them: a sentence each.
+/// The faults of the parameters, including those of breaking, one sentence each.
 std::vector<std::string> tie_complaints(const TieParameters& parameters);
 
-/// Sets the tie's parameters of the sliding contact of broken nodes; values that a host has found stay.
+/// Sets the parameters of the sliding contact of broken nodes to those of the tie. Values that the host has determined
+/// stay the same.
 void follow_tie(ContactParameters& sliding, const TieParameters& tie);
 
-/// The core's settings of a tie. `time_step`: in which elements store solvent [s]; 0: they do not.
+/// The core's settings of a tie. `time_step`: in which elements store solvent [s]; 0: without storage.
 mixture_contact::Settings tie_settings(const ContactParameters& parameters, SolverKind solver, double time_step,
                                        const mixture_contact::BreakingLaw& breaking = mixture_contact::Unbreakable());
 
-/// The fields of its surfaces that a tie exchanges (see decide_exchange()); a penalty of 0 leaves out its own effect
-/// alone.
+/// The effects that a tie exchanges (see decide_exchange()). A penalty of 0 removes only its own effect.
 Exchange tie_exchange(const ContactParameters& parameters, std::vector<FieldAtContact> fields);
 
-/// A sentence with the number of tied primary nodes, and the reasons why others are free.
+/// A sentence with the number of tied primary nodes, and the reasons why others are not tied.
 std::string tied_nodes_line(mixture_contact::Index tied, const mixture_contact::UntiedNodes& untied);

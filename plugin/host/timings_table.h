@@ -1,4 +1,4 @@
-/// The times of a contact, as hosts write them at the end of a run.
+/// The times of a contact as a table for the end of the log.
 #pragma once
 
 #include "contact/interface/interface.h"
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// The lines of a table: seconds by task (rows) and effect (columns), their share of the run, and memory.
+/// The lines of the table: seconds by task (rows) and effect (columns), their fraction of the run, and memory.
 ///
-/// `name`: of the contact; `run`: seconds since the run began.
+/// `name`: name of the contact. `run`: seconds since the start of the run.
 std::vector<std::string> timings_table(const std::string& name, const mixture_contact::ContactInterface& contact,
                                        double run);

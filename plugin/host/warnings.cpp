@@ -7,7 +7,8 @@ using mixture_contact::UndetectedPenetration;
 
 namespace {
 
-/// "contact: n nodes of the secondary surface ... inside the body of ...", and how deep.
+/// The start of a sentence: "contact: n nodes of the secondary surface ... inside the body of ..., up to a depth of
+/// ...".
 std::ostringstream nodes_inside(const std::string& contact, const std::string& primary, const std::string& secondary,
                                 const UndetectedPenetration& overlap) {
   std::ostringstream text;

@@ -1,4 +1,4 @@
-/// Storing state for a restart.
+/// Storage of state for a restart.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@
 
 namespace newton {
 
-/// Writes values, or reads them, as the host's archive does.
+/// Writes values to the host's archive or reads them from it, depending on the mode of the archive.
 class Archive {
  public:
   Archive() = default;

@@ -13,7 +13,7 @@ void add(double factor, const std::vector<Condition::Entry>& entries, std::vecto
   for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
 }
 
-/// The solution of a small system, whose rows and columns may be in units of their own. Empty where it is singular.
+/// The solution of a small system whose rows and columns may have different units; empty if it is singular.
 Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   const auto scale_of = [](double largest) { return largest > 0 ? 1 / largest : 1; };
   const Eigen::VectorXd rows = matrix.cwiseAbs().rowwise().maxCoeff().unaryExpr(scale_of);

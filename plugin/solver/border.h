@@ -1,12 +1,12 @@
-/// Conditions that a factorised matrix does not have.
+/// Solutions of a factorised matrix with additional equations and unknowns.
 ///
-/// Each borders the matrix K by a column of C, a column of R and an entry of the diagonal D:
+/// Each condition borders the matrix K with a column of C, a row of R^T and a diagonal entry of D:
 ///
 ///     | K    C | | x |   | b |
 ///     | R^T  D | | z | = | d |
 ///
-/// Its x solves K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b - d. It costs a back substitution for each
-/// condition once, and one for each right-hand side.
+/// The solution x satisfies K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b - d. This takes one back substitution
+/// for each condition and each matrix, and one for each right-hand side.
 #pragma once
 
 #include "solve.h"
@@ -19,54 +19,57 @@
 
 namespace newton {
 
-/// One row and column of a border. Entries of the same equation add up.
+/// A condition: one row and one column of the border. Entries with the same equation add up.
 struct Condition {
   struct Entry {
     int equation;
     double value;
   };
-  int key = 0;  ///< the same key, the same column
+  int key = 0;  ///< identifies the column: conditions with the same key have the same column
   std::vector<Entry> column;
   std::vector<Entry> row;
   double diagonal = 0;
-  double value = 0;  ///< d
+  double value = 0;  ///< right-hand side d
 };
 
-/// Product of a row or a column of a condition with a vector over the same equations.
+/// Product of a row or column of a condition with a vector of one value per equation.
 double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values);
 
 /// The solution of a matrix with conditions.
 struct Answer {
   std::vector<double> x;
-  std::map<int, double> z;  ///< by the keys of the conditions
+  std::map<int, double> z;  ///< additional unknowns, by the keys of their conditions
 };
 
-/// An unknown of K that is given, as if its row and column had been taken out: its key is its equation.
+/// The condition that an unknown of K has a given value, as if its row and column were removed. The key is the
+/// equation.
 Condition given_unknown(int equation, double value);
 
+/// The border of a factorised matrix. It keeps K^-1 C for conditions that are used again.
 class Border {
  public:
-  /// Drops the data of the last matrix after a new factorisation.
+  /// Discards the data of the last matrix, after a new factorisation.
   void forget() { *this = {}; }
-  /// Whether any conditions have been held with it.
+  /// True if hold() has been used with this matrix.
   bool has_held() const { return has_held_; }
-  /// Subtracts C z from a right-hand side b, so that the solution meets these conditions, given K^-1 b. Returns false,
-  /// without a change, if the matrix with them is singular.
+  /// Subtracts C z from the right-hand side b in `right`, such that the solution of K meets these conditions. `free`:
+  /// K^-1 b. Returns false without a change if the bordered matrix is singular.
   bool hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
             std::vector<double>& right);
-  /// The solution x with these conditions; the one without them where the matrix with them is singular.
+  /// The solution x with these conditions, or without them if the bordered matrix is singular.
   std::vector<double> solution(const Solve& solve, const std::vector<Condition>& conditions,
                                const std::vector<double>& right);
-  /// The solution with these conditions, given K^-1 b; none where the matrix with them is singular.
+  /// The solution with these conditions; empty if the bordered matrix is singular. `free`: K^-1 b.
   std::optional<Answer> answer(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double> free);
 
  private:
-  /// The z of these conditions, given K^-1 b; empty if the matrix with them is singular.
+  /// The unknowns z of these conditions; empty if the bordered matrix is singular. `free`: K^-1 b.
   Eigen::VectorXd unknowns(const Solve& solve, const std::vector<Condition>& conditions,
                            const std::vector<double>& free);
-  /// K^-1 C of a condition.
+  /// The vector K^-1 C of a condition, of length `size`.
   const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
 
+  /// The columns K^-1 C, by the keys of the conditions.
   std::map<int, std::vector<double>> columns_;
   bool has_held_ = false;
 };

@@ -13,7 +13,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
-/// Adds what a word names to a set. Returns whether it names anything.
+/// Adds the devices that a word denotes to a set. Returns false if the word denotes nothing.
 bool add(const std::string& word, DeviceSet& set) {
   if (word == "all") {
     set.set();

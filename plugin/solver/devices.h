@@ -1,6 +1,7 @@
 /// The devices of the solver: numerical methods that save iterations or matrix entries, or prevent failures.
 ///
-/// Each has a name and a switch, and the log counts its actions. A failed step is tried again without devices.
+/// Each device has a name and a switch, and the log reports how often it has acted. A failed step is repeated without
+/// devices.
 #pragma once
 
 #include "indexing/entries.h"
@@ -12,15 +13,16 @@
 
 namespace newton {
 
+/// The devices of the solver.
 enum class Device {
-  loads_as_unknowns,            ///< loads at nodes are further unknowns of the matrix
-  row_operations,               ///< rows of loads take those of their nodes, so that pivots lie in order
-  deferred_coupling,            ///< couplings across the contact stay out of the matrix, and come in by iteration
-  kept_matrix,                  ///< a matrix of a quasi-Newton method is reused although contact changes
-  active_set_prediction,        ///< nodes open and close as the matrix answers, before the solver solves
-  non_negative_concentrations,  ///< clamped concentrations are solved as an inequality
-  line_search_guard,            ///< an increment that the line search cut short is taken as a whole
-  residual_floor,               ///< a residual that rounding makes of stiff contact counts as none
+  loads_as_unknowns,  ///< nodal loads are additional unknowns of the matrix
+  row_operations,     ///< multiples of the nodes' rows are added to the rows of their loads, which avoids small pivots
+  deferred_coupling,  ///< couplings across the contact are not in the matrix and are included by stationary iteration
+  kept_matrix,        ///< a matrix of a quasi-Newton method is reused although the contact changes
+  active_set_prediction,        ///< nodes open and close by solutions with the matrix, before FEBio solves
+  non_negative_concentrations,  ///< concentrations that FEBio would clamp to zero are solved as an inequality
+  line_search_guard,            ///< an increment that the line search has shortened is repeated with its full length
+  residual_floor,               ///< a residual within the rounding of stiff contact counts as zero
   predictor                     ///< a step begins at a predicted state
 };
 
@@ -34,27 +36,28 @@ using DeviceSet = std::bitset<device_names.size()>;
 
 inline bool has(const DeviceSet& set, Device device) { return set[static_cast<std::size_t>(device)]; }
 
-/// Devices as a model file names them.
+/// Devices as a model file lists them.
 struct NamedDevices {
   DeviceSet set;
-  std::vector<std::string> unknown;  ///< words that name none
+  std::vector<std::string> unknown;  ///< words that are no name of a device
 };
-/// Reads "all", "none", or names with commas between them.
+/// Reads "all", "none", or names separated by commas.
 NamedDevices named_devices(const std::string& list);
-/// The allowed values, in a sentence.
+/// A sentence with the allowed names of devices.
 std::string allowed_devices();
-/// The names of some devices with commas between them; "none" where there are none.
+/// The names of the devices in a set, separated by commas; "none" if it is empty.
 std::string names(const DeviceSet& set);
 
-/// How often devices have acted, and whether they may at present.
+/// Counts how often devices have acted, and suspends them.
 class DeviceRecord {
  public:
+  /// Counts an action of a device.
   void acted(Device device) { ++indexing::at(counts_, static_cast<int>(device)); }
-  /// Suspends all devices until resume(). Returns whether this is the first time.
+  /// Suspends all devices until resume(). Returns true at the first call in a run.
   bool suspend();
   void resume() { is_suspended_ = false; }
   bool is_suspended() const { return is_suspended_; }
-  /// A line on devices that have acted, by name and number; empty if none has.
+  /// A line with the names of the devices that have acted and their numbers of actions; empty if none has.
   std::string summary() const;
 
  private:

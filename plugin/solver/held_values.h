@@ -1,23 +1,23 @@
-/// Nodal values that are switched between free and held.
+/// Switching of nodal values between free and prescribed.
 ///
-/// FEBio takes a value with equation n as prescribed while its code is -n-2. No equation is renumbered.
+/// FEBio treats a value with equation n as prescribed if its code is -n-2. Switching does not renumber equations.
 #pragma once
 
 #include "solver.h"
 
 namespace newton {
 
-/// Holds a value. Returns whether anything changed.
+/// Prescribes a value. Returns true if anything changed.
 bool hold_at(Solver& solver, Place place, double value);
 
-/// Makes a held value free; the solver's vectors are left as they are. Returns whether it was held.
+/// Frees a prescribed value without a change of the solver's vectors. Returns true if the value was prescribed.
 bool make_free(Solver& solver, Place place);
 
-/// Makes a held value free, with the value it has now, in the node and in the solver's vectors: otherwise the solver
-/// would set it to its last value in these vectors. Returns whether it was held.
+/// Frees a prescribed value, which keeps its present value. It also sets this value in the solver's vectors, to whose
+/// values the solver would otherwise reset it. Returns true if the value was prescribed.
 bool release_with_value(Solver& solver, Place place);
 
-/// Brings the solver's vectors in step with the nodal value, where it is free.
+/// Sets the entries of a free value in the solver's vectors to the present nodal value.
 void synchronise(Solver& solver, Place place);
 
 }  // namespace newton

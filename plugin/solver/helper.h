@@ -1,7 +1,7 @@
-/// Helpers of a Newton solver, and the one interface through which it is driven.
+/// Helpers of a Newton solver, and the interface through which they are called.
 ///
-/// A helper has one switch. It is called at the phases of a step and acts on the solver; it knows nothing of the rest
-/// of the model.
+/// Each helper has one switch. It is called at the phases of a step and acts on the solver. It does not depend on the
+/// rest of the model.
 #pragma once
 
 #include "archive.h"
@@ -16,6 +16,7 @@
 
 namespace newton {
 
+/// A helper of a Newton solver. The functions are called at the phases of a step; by default they do nothing.
 class Helper {
  public:
   Helper() = default;
@@ -25,63 +26,66 @@ class Helper {
   Helper& operator=(Helper&&) = delete;
   virtual ~Helper() = default;
 
-  /// The reason why the helper is not available in this model, as the end of a sentence; empty if it is.
+  /// The reason why the helper is not available in this model, as the end of a sentence; empty if it is available.
   virtual std::string unavailable() const { return {}; }
 
-  /// A time step begins, or an attempt at one. Returns whether the helper acts.
+  /// A time step, or an attempt at one, begins. Returns true if the helper acts.
   virtual bool begin_step() { return false; }
-  /// Iterations begin: at the start of a step, and after an augmentation.
+  /// Iterations begin: at the start of a step, or after an augmentation.
   virtual void begin_iterations() {}
   /// A trial increment has been set.
   virtual void try_increment(const std::vector<double>& /*increment*/) {}
-  /// Acts at an accepted state within iterations. Returns whether the model is to be evaluated again.
+  /// Acts at an accepted state within iterations. Returns true if the model has to be evaluated again.
   virtual bool adapt() { return false; }
-  /// Acts at an accepted state whose residual the solver has not evaluated. Returns whether to evaluate the model
-  /// again.
+  /// Acts at an accepted state for which the solver has not evaluated the residual. Returns true if the model has to be
+  /// evaluated again.
   virtual bool adapt_before_residual() { return false; }
 
-  /// Whether the solver must continue after convergence, for a reason that needs no change of the state.
+  /// True if, after convergence, the helper does not require further iterations at an unchanged state.
   virtual bool is_settled() const { return true; }
-  /// Decides on a converged state: returns whether the solver must continue, and prepares this.
+  /// Decides on a converged state. Returns true if the solver has to continue, which the helper has then prepared.
   virtual bool rejects() { return false; }
 
   /// Acts before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
-  /// whether it has; if not, the state has not changed.
+  /// true if it did; otherwise the state is unchanged.
   virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
-  /// Acts with the first matrix of a step.
+  /// Changes the residual of the first iteration of a step, after its matrix has been assembled.
   virtual void complete_residual() {}
-  /// Whether the helper multiplies changes of nodal values by the matrix, which must then have no loads as unknowns.
+  /// True if the helper multiplies changes of nodal values by the matrix, which must then have no loads as unknowns.
   virtual bool multiplies_by_matrix() const { return false; }
 
   /// A time step has been solved.
   virtual void end_step() {}
-  /// An attempt at a step has failed; the state is that of its start.
+  /// An attempt at a step has failed, and the state at its start has been restored.
   virtual void rewind() {}
-  /// Iterations begin without this helper: it restores the solver and its model.
+  /// Iterations begin while this helper is switched off: it has to restore the solver and the model.
   virtual void let_go() {}
 
-  /// Whether the helper holds a nodal value and yields it.
+  /// True if the helper prescribes a nodal value.
   virtual bool holds(Place /*place*/) const { return false; }
+  /// Frees a nodal value that the helper prescribes.
   virtual void yield(Place /*place*/) {}
 
-  /// State for a restart.
+  /// Stores or reads the helper's state for a restart.
   virtual void archive(Archive& /*archive*/) {}
 };
 
-/// The helpers of a model. A helper that is off takes part in restarts alone, and stops at the start of iterations.
+/// The helpers of a model. A helper that is switched off only takes part in restarts; switching takes effect at the
+/// start of iterations.
 class Helpers {
  public:
-  /// None.
+  /// No helpers.
   Helpers() = default;
+  /// Helpers of this solver.
   explicit Helpers(Solver& solver) : solver_(&solver) {}
 
-  /// Switches that can change from step to step.
+  /// A switch, whose result may change from step to step.
   using Switch = std::function<bool()>;
-  /// Adds a device, by which it is known here. `record` counts where it acts, and is kept as a reference.
+  /// Adds the helper of a device. `record`: counts its actions; a reference to it is kept.
   void add(Device device, std::unique_ptr<Helper> helper, Switch is_on, DeviceRecord& record);
-  /// Adds a helper that is no device.
+  /// Adds a helper that is not a device.
   void add(std::unique_ptr<Helper> helper, Switch is_on);
-  /// The text of Helper::unavailable() of one.
+  /// The result of Helper::unavailable() for a device.
   std::string unavailable(Device device) const;
 
   void begin_step();
@@ -96,31 +100,32 @@ class Helpers {
   bool multiply_by_matrix() const;
   void end_step();
   void rewind();
-  /// Makes the helper that holds a nodal value, if there is one, keep it (`keep`) or yield it. Returns whether the
+  /// Asks the helper that prescribes a nodal value, if any, to keep it (`keep`) or to free it. Returns true if the
   /// helper keeps the value.
   bool keeps(Place place, bool keep);
   void archive(Archive& archive);
 
  private:
+  /// A helper with its switch.
   struct Switched {
     std::unique_ptr<Helper> helper;
     Switch is_on;
     std::optional<Device> device;
-    DeviceRecord* record = nullptr;  ///< of a device
+    DeviceRecord* record = nullptr;  ///< record of a device; null for other helpers
 
-    /// Notes that a device has acted.
+    /// Counts an action of the device.
     void count() const;
   };
-  /// Calls `use` with each helper and its switch, where the solver is one of Newton's kind.
+  /// Calls `use` with each helper and its switch, if the present step is solved by Newton's method.
   template <class Use>
   void for_each_switched(const Use& use) const;
   /// Calls `use` with each helper that is on.
   template <class Use>
   void for_each(const Use& use) const;
-  /// Whether any helper that is on answers yes; stops at the first one.
+  /// True if `ask` is true for a helper that is on; later helpers are not asked.
   template <class Ask>
   bool any(const Ask& ask) const;
-  /// Whether any helper that is on answers yes and so acts, which its device counts; stops at the first one.
+  /// True if `ask` is true for a helper that is on, whose action is then counted; later helpers are not asked.
   template <class Ask>
   bool any_acts(const Ask& ask);
 

@@ -8,11 +8,12 @@
 namespace newton {
 namespace {
 
-/// A solution whose last increment the line search cut to less than this part is looked at once more.
+/// If the line search has shortened the last increment of a solution to less than this fraction, the solution is
+/// checked by another iteration.
 constexpr double least_part = 0.5;
 
-/// Whether no more is left of the residual than rounding: its square is lost in that of the first one. What a line
-/// search compares then is rounding, too.
+/// True if the residual has decreased to rounding: its square is negligible compared with that of the first residual. A
+/// line search would then compare rounding errors.
 bool is_rounding(const Solver::ResidualSquares& residual) {
   return residual.now <= std::numeric_limits<double>::epsilon() * residual.first;
 }

@@ -1,8 +1,8 @@
-/// The guard against an increment that a line search has shortened.
+/// The guard against increments that a line search has shortened.
 ///
-/// FEBio's norms are those of the increment after its line search. The search compares sums of energies and flows,
+/// FEBio's convergence norms use the increment after the line search. The search compares sums of energies and flows,
 /// which may cancel by chance. It then shortens a correct increment, and most of the residual remains although all
-/// norms are met. The guard takes the next increment as a whole.
+/// norms are met. The guard repeats the iteration without the line search.
 #pragma once
 
 #include "helper.h"
@@ -11,26 +11,28 @@
 
 namespace newton {
 
+/// The helper that repeats an iteration whose increment the line search has shortened.
 class LineSearchGuard : public Helper {
  public:
   explicit LineSearchGuard(Solver& solver) : solver_(solver) {}
 
-  /// Drops the record of the last step or of a failed attempt.
+  /// Discards the data of the last step or of a failed attempt.
   bool begin_step() override;
   void try_increment(const std::vector<double>& increment) override;
-  /// Whether the line search took a small part of the last increment before the solver accepts a solution; the next
-  /// increment then has no search. A remainder of rounding does not count. Acts once in a step, because the search has
-  /// no meaning for increments of rounding.
+  /// True if the line search shortened the last increment to a small fraction before the solver accepts a solution,
+  /// unless the residual is rounding. The next increment then has no line search. It acts once in a step, because a
+  /// line search has no meaning for increments of the size of rounding.
   bool rejects() override;
   void let_go() override { allow_search(); }
 
  private:
+  /// Restores the solver's line search.
   void allow_search();
 
   Solver& solver_;
-  double tried_ = 0;                 ///< length of the last trial's increment
-  bool has_acted_ = false;           ///< in this step
-  std::optional<double> tolerance_;  ///< the solver's, while the search is left out
+  double tried_ = 0;                 ///< norm of the increment in the last trial
+  bool has_acted_ = false;           ///< true if the guard has acted in this step
+  std::optional<double> tolerance_;  ///< the solver's tolerance of the line search, while the search is disabled
 };
 
 }  // namespace newton

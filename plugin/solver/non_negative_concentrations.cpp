@@ -10,7 +10,7 @@
 namespace newton {
 namespace {
 
-/// Concentrations below this part of the largest one, and reactions likewise, do not decide.
+/// Concentrations and reactions below this fraction of the largest one do not change the active set.
 constexpr double decisive_part = 1e-6;
 
 }  // namespace
@@ -33,9 +33,9 @@ std::vector<Place> NonNegativeConcentrations::negative() const {
 }
 
 std::vector<Place> NonNegativeConcentrations::rising() const {
-  // FEBio's reaction is minus the residual of the node's balance, and in FEBio's sign the residual of a solute falls
-  // where solute comes in: a positive reaction drives the concentration up. Each is freed once a step at the most, so
-  // that none comes and goes for ever.
+  // FEBio's reaction is minus the residual of the node's balance. In FEBio's sign convention, the residual of a solute
+  // decreases if solute enters; a positive reaction therefore increases the concentration. Each concentration is freed
+  // at most once per step, such that none alternates for ever.
   std::vector<Place> places;
   const std::vector<double>* const reactions = solver_.reactions_of_clamp();
   if (reactions == nullptr) return places;
@@ -75,7 +75,7 @@ bool NonNegativeConcentrations::adapt() {
 }
 
 bool NonNegativeConcentrations::adapt_before_residual() {
-  if (!held_.empty()) solver_.evaluate_residual();  // reactions are theirs
+  if (!held_.empty()) solver_.evaluate_residual();  // sets the reactions at prescribed values
   return adapt();
 }
 
@@ -95,7 +95,7 @@ void NonNegativeConcentrations::begin_iterations() {
 void NonNegativeConcentrations::release() {
   if (solver_.reactions_of_clamp() != nullptr) {
     for (const Place place : held_) release_with_value(solver_, place);
-    // Those freed in an attempt that was cut back have the value of the step's start again.
+    // Concentrations freed in a failed attempt have the value at the start of the step again.
     for (const Place place : freed_) synchronise(solver_, place);
   }
   held_.clear();
@@ -112,7 +112,7 @@ void NonNegativeConcentrations::end_step() {
   last_ = held_;
   for (const Place place : held_) {
     if (solver_.reactions_of_clamp() == nullptr || !make_free(solver_, place)) continue;
-    // The solver has added the step's changes to its totals already.
+    // The solver has already added the changes of the step to its totals.
     at(solver_.vectors().total, solver_.equation(place)) = solver_.value(place);
   }
   held_.clear();

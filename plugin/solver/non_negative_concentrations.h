@@ -1,11 +1,13 @@
 /// Concentrations that a solver clamps to zero.
 ///
-/// FEBio's solver for the solute module always, and that for the multiphasic module by option, sets negative
-/// concentrations to zero after each iteration. Fronts thinner than an element (d dt << h^2) undershoot, so this
-/// happens at every early step. Newton's method does not know: it computes the same negative change for ever, the line
-/// search shrinks, and the step fails. Here the clamp is made an inequality that Newton can solve: a concentration that
-/// would become negative is held at zero, as a prescribed value, until its balance wants it to be positive (a
-/// primal-dual active set). The state reached is the one that the clamp means. Models without a clamp do not change.
+/// After each iteration, FEBio's solver of the solute module always, and that of the multiphasic module optionally,
+/// sets negative concentrations to zero. Fronts thinner than an element (d dt << h^2) undershoot, and this then happens
+/// in every early step. Newton's method does not take the clamp into account: it computes the same negative change in
+/// each iteration, the line search shrinks, and the step fails.
+///
+/// This helper replaces the clamp by an inequality that Newton's method can solve. A concentration that would become
+/// negative is prescribed as zero until its balance requires a positive value (primal-dual active set). The solution is
+/// the state that the clamp aims at. Models without a clamp do not change.
 #pragma once
 
 #include "helper.h"
@@ -15,36 +17,41 @@
 
 namespace newton {
 
+/// The helper that solves the inequality.
 class NonNegativeConcentrations : public Helper {
  public:
   explicit NonNegativeConcentrations(Solver& solver) : solver_(solver) {}
 
-  /// Holds the concentrations that were held at the end of the last step: the active set seldom changes much.
+  /// Prescribes the concentrations that were prescribed at the end of the last step, because the active set usually
+  /// changes little.
   void begin_iterations() override;
-  /// Holds concentrations that have become negative in the solver's vectors, and frees held ones whose balance wants
-  /// them positive.
+  /// Prescribes concentrations that are negative in the solver's vectors, and frees those whose balance requires a
+  /// positive value. Returns true if any has changed.
   bool adapt() override;
   bool adapt_before_residual() override;
-  /// Whether adapt() would change nothing.
+  /// True if adapt() would change nothing.
   bool is_settled() const override;
-  /// Frees all with the value 0 that they have: between steps, and in restart files, nothing is held.
+  /// Frees all concentrations at their value 0. Between steps, and in restart files, none is prescribed.
   void end_step() override;
   void let_go() override { release(); }
   bool holds(Place place) const override;
   void yield(Place place) override;
 
  private:
+  /// Free concentrations that are negative in the solver's vectors.
   std::vector<Place> negative() const;
+  /// Prescribed concentrations whose balance requires a positive value.
   std::vector<Place> rising() const;
   void release();
   void resume();
   void hold(Place place);
 
   Solver& solver_;
+  /// Concentrations that are prescribed as zero.
   std::vector<Place> held_;
-  std::vector<Place> last_;  ///< held at the end of the last step
-  std::set<Place> freed_;    ///< in this step
-  bool has_acted_ = false;   ///< in this run
+  std::vector<Place> last_;  ///< concentrations that were prescribed at the end of the last step
+  std::set<Place> freed_;    ///< concentrations that were freed in this step
+  bool has_acted_ = false;   ///< true if the helper has acted in this run
 };
 
 }  // namespace newton

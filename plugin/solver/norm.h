@@ -1,4 +1,4 @@
-/// Lengths and multiples of vectors with an entry per equation.
+/// Norms and multiples of vectors with one entry per equation.
 #pragma once
 
 #include <cmath>

@@ -9,42 +9,44 @@ using Eigen::MatrixXd;
 namespace newton {
 namespace {
 
-/// A curve in time is a parabola at the most: over uneven steps higher degrees overshoot.
+/// Largest degree of a polynomial in time: over steps of different lengths, higher degrees overshoot.
 constexpr int highest_degree_in_time = 2;
+/// Largest degree of a polynomial in stretched time.
 constexpr int highest_degree = 5;
 constexpr std::size_t changes_kept = highest_degree;
-/// Steps are regular where one is longer or shorter than the last by less than this factor, and the next one by no more
-/// than this in the time stretched by them.
+/// Limit of the ratio of successive step lengths for stretched time. It also limits the length of the next step in
+/// stretched time.
 constexpr double regular_ratio = 5.0 / 3.0;
-/// Steps whose lengths differ by less than this part are equal.
+/// Two step lengths count as equal if they differ by less than this fraction.
 constexpr double same_length = 1e-6;
-/// A curve predicts nothing where its error of the last change is larger than this part of it.
+/// A polynomial is not used if its error for the last change is larger than this fraction of the change.
 constexpr double largest_extrapolation_error = 1.0 / 3.0;
-/// Terms below this part of the first one are rounding, and so are differences of the errors below this part of the
-/// last change.
+/// Terms below this fraction of the first term are rounding; so are differences between errors below this fraction of
+/// the last change.
 constexpr double negligible = 1e-6;
 
-/// A curve with its prediction error of the last change.
+/// A polynomial with its error for the last change.
 struct Judged {
   Curve curve;
   double error = 0;
 };
 
-/// Sum of the terms, with the given part of the last one.
+/// The sum of the terms, of which the last one is multiplied by `last_part`.
 MatrixXd sum(const std::vector<MatrixXd>& terms, double last_part) {
   MatrixXd total = last_part * terms.back();
   for (std::size_t n = 0; n + 1 < terms.size(); ++n) total += terms[n];
   return total;
 }
 
-/// The part of a term that leaves the least of the error of those before it. The first one is taken as a whole.
+/// The factor on the n-th term that minimises the error of the terms before it, from 0 to 1. The first term is used
+/// completely.
 double best_part(const std::vector<MatrixXd>& terms, std::size_t n, const MatrixXd& error) {
   if (n == 0) return 1;
   if (terms[n].norm() <= negligible * terms[0].norm()) return 0;
   return std::clamp(terms[n].cwiseProduct(error).sum() / terms[n].squaredNorm(), 0.0, 1.0);
 }
 
-/// Curves of all degrees, the first being of degree 1.
+/// The polynomials of degrees 1, 2, ... with their errors for the change `actual`.
 std::vector<Judged> judged(const std::vector<MatrixXd>& terms, const MatrixXd& actual) {
   std::vector<Judged> curves;
   MatrixXd error = actual;
@@ -64,8 +66,9 @@ PastSteps::Coordinates PastSteps::in_time(double dt) const {
   return at;
 }
 
-/// With r the ratio of the last two steps, t_0 and t_1 long: s = ln(1 + t (1 - 1/r)/t_0)/ln r, which is -1 and -2 at
-/// their starts, and t/t_0 where r = 1. States that lie before the time at which s is minus infinity are left out.
+/// The stretched time is s = ln(1 + t (1 - 1/r)/t_0)/ln r, or t/t_0 for r = 1, where r is the ratio of the lengths t_0
+/// and t_1 of the last two steps. It is -1 and -2 at the starts of these steps. States before the time at which s
+/// is minus infinity are left out.
 std::optional<PastSteps::Coordinates> PastSteps::in_stretched_time(double dt) const {
   if (changes_.size() < 2) return std::nullopt;
   const double length = changes_[0].dt;
@@ -75,7 +78,7 @@ std::optional<PastSteps::Coordinates> PastSteps::in_stretched_time(double dt) co
   const auto passed = [&](double t) { return t * (1 - 1 / ratio) / length; };
   const auto stretched = [&](double t) { return equal ? t / length : std::log1p(passed(t)) / std::log(ratio); };
   Coordinates at{{}, stretched(dt)};
-  if (!(at.next <= regular_ratio)) return std::nullopt;  // not a number where time shrinks to a point before
+  if (!(at.next <= regular_ratio)) return std::nullopt;  // NaN if stretched time ends before the end of the next step
   for (const double t : in_time(dt).past) {
     if (!equal && passed(t) <= -1) break;
     at.past.push_back(stretched(t));
@@ -83,7 +86,7 @@ std::optional<PastSteps::Coordinates> PastSteps::in_stretched_time(double dt) co
   return at;
 }
 
-/// What the terms of Newton's polynomial, from degree 1 on, foretell of the next change.
+/// The terms of Newton's polynomial from degree 1 on, evaluated for the next change.
 std::vector<MatrixXd> PastSteps::terms(const Coordinates& at, int degree) const {
   const auto count = std::min({indexing::entries(degree), changes_.size(), at.past.size() - 1});
   std::vector<MatrixXd> differences;

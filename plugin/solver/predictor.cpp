@@ -13,22 +13,23 @@ using Eigen::MatrixXd;
 namespace newton {
 namespace {
 
-/// Load curves turn where the prediction of a change differs from it by more than this part.
+/// The loads have a kink if the actual change of a load differs from the predicted one by more than this fraction.
 constexpr double largest_turn = 1.0 / 3.0;
-/// Of the differences of load values of 1, predicted.
+/// Rounding error of the difference between two load values of 1.
 constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-/// Newton's method takes no more for a linear step that starts at the end of the last one: one to solve it, and one in
+/// The least number of iterations of a linear step that starts at the end of the last step: one to solve it, and one in
 /// which the solver compares the increment with it.
 constexpr int least_iterations = 2;
-/// Where a step takes no more than those, a prediction is tried when the error of the last one is less than half of
-/// this, and after a try in vain when it is less than half of what it was there.
+/// If steps take the least number of iterations, a prediction is tried if the error of the last one is less than
+/// `better` times this value. After a prediction that saved no iteration, it is tried if the error is less than
+/// `better` times the error then.
 constexpr double largest_error = 0.1;
 constexpr double better = 0.5;
-/// Of the predicted change, the part that is left to the first increment. FEBio measures residuals and energies against
-/// those of the first increment, so it must not be rounding, where the predicted state is the solution.
+/// The fraction of the predicted change that is left to the first increment. FEBio compares residuals and energies with
+/// those of the first increment, which therefore must not be rounding if the predicted state is the solution.
 constexpr double part_left = 1e-4;
 
-/// A free nodal value: its equation, and where it stands among the values of its variable.
+/// A free nodal value: its equation, and its position among the values of its variable.
 struct FreeValue {
   Place place;
   int equation = -1;
@@ -53,7 +54,7 @@ void for_each_free_value(const Solver& solver, const Use& use) {
   }
 }
 
-/// Changes of the free values of each variable; zero elsewhere.
+/// Changes of the free values of each variable in the last step; zero for other values.
 std::vector<MatrixXd> changes_of_step(const Solver& solver) {
   std::vector<MatrixXd> changes;
   for (const std::vector<int>& dofs : solver.variables())
@@ -65,7 +66,7 @@ std::vector<MatrixXd> changes_of_step(const Solver& solver) {
   return changes;
 }
 
-/// Stores some past steps, or reads them.
+/// Stores past steps in an archive, or reads them.
 void archive_steps(Archive& archive, std::vector<PastSteps>& quantities) {
   int size = number_of(quantities);
   archive.part(size);
@@ -94,7 +95,7 @@ void Predictor::end_step() {
   }
   const std::vector<double> before = std::exchange(load_values_, solver_.load_values());
   forget_other_analysis_step();
-  if (before.size() != load_values_.size()) return;  // the first step: what the loads were at its start is not known
+  if (before.size() != load_values_.size()) return;  // in the first step, the loads at its start are not known
   const double dt = solver_.time_increment();
   const std::vector<MatrixXd> changes = changes_of_step(solver_);
   variables_.resize(changes.size());
@@ -139,8 +140,8 @@ bool Predictor::is_worth_trying() const {
   return iterations_plain_ == least_iterations && error_ <= better * error_in_vain_;
 }
 
-/// A variable that is not predicted stays where it is. If displacements do, those that are prescribed would squeeze the
-/// elements beside them; and where all that changes stays, there is nothing to gain.
+/// A variable without a prediction keeps its value. If displacements kept their values, prescribed ones would deform
+/// the elements next to them. If all changing variables kept their values, nothing would be gained.
 bool Predictor::predicts_the_change() const {
   const double dt = solver_.time_increment();
   return variables_[solver_.displacements()].predicts(dt) &&
@@ -168,7 +169,7 @@ std::vector<double> Predictor::prediction(const std::vector<double>& prescribed)
   return whole;
 }
 
-/// Infinite where an element is inverted.
+/// Infinite if an element is inverted.
 double Predictor::residual_norm(const std::vector<double>& change, std::vector<double> increment) {
   solver_.vectors().change = change;
   try {
@@ -179,7 +180,7 @@ double Predictor::residual_norm(const std::vector<double>& change, std::vector<d
   }
 }
 
-/// Leaves the model at the predicted state.
+/// It leaves the model at the predicted state.
 bool Predictor::is_better_than_plain(const std::vector<double>& predicted, const std::vector<double>& prescribed) {
   const std::vector<double> none(predicted.size(), 0.0);
   const double plain = residual_norm(none, prescribed);
@@ -219,8 +220,8 @@ bool Predictor::predict(const std::function<void()>& arrived) {
 
 void Predictor::complete_residual() {
   if (part_of_prediction_.empty()) return;
-  // The solver's right-hand side is R(x + P) and what prescribed increments add. To free values these have added
-  // already, in R(x + P).
+  // The solver's right-hand side is R(x + P) plus the loads of prescribed increments. R(x + P) at free values already
+  // contains these loads.
   const Vectors vectors = solver_.vectors();
   std::vector<double> part(part_of_prediction_.size(), 0.0);
   for_each_free_value(solver_, [&](const FreeValue& value) {

@@ -1,20 +1,20 @@
-/// The state at which the first matrix of a time step is formed.
+/// Prediction of the state at which the first matrix of a time step is assembled.
 ///
-/// Newton's method starts a step at the end of the last one. If a solution evolves smoothly, curves through the last
-/// states predict the next one to a part in a thousand (past_steps.h), and an iteration that starts there leaves an
-/// error smaller by as much again. The curves fail where a load curve turns, and the step starts plainly.
+/// Newton's method starts a step at the end of the last one. If a solution evolves smoothly, polynomials through the
+/// last states (past_steps.h) predict the next state to about a thousandth, and the first iteration from there reduces
+/// this error by a similar factor. The prediction fails where a load curve has a kink; the step then starts without it.
 ///
-/// With P the predicted change, the solver counts (1 - theta) P as done, theta being 1e-4, and with K the matrix at
-/// x + P its first increment is
+/// Let P be the predicted change, K the matrix at x + P, and theta = 1e-4. The solver counts (1 - theta) P as done, and
+/// its first increment is
 ///
-///   u = theta P + K^-1 R(x + P),   that is   K u = R(x + P) + theta K P .
+///     u = theta P + K^-1 R(x + P),   that is   K u = R(x + P) + theta K P .
 ///
-/// Its tests therefore see by how much the increment corrects the prediction, next to the change of the whole step, and
-/// a step may end with its first iteration. They are as strict as in any later iteration.
+/// Its convergence tests therefore compare the correction of the prediction with the change of the whole step, and a
+/// step may converge in its first iteration. The tests are as strict as in any later iteration.
 ///
-/// A predicted state is dropped, and the state of the plain start restored, where an element is inverted there, or
-/// where the residual is larger than that of the plain start: free values unchanged, prescribed ones at their new
-/// values.
+/// A predicted state is rejected if an element is inverted in it, or if its residual is larger than that of a start
+/// without prediction (free values unchanged, prescribed values at their new values). The state of the start without
+/// prediction is then restored.
 #pragma once
 
 #include "helper.h"
@@ -25,48 +25,58 @@
 
 namespace newton {
 
-/// A failed attempt shows that steps as long as it are not smooth. After it as many steps start plainly as the curves
-/// take changes from, so that the curves contain later states alone.
+/// Number of steps without prediction after a failed attempt. It is the number of changes that the polynomials use, so
+/// that they then contain later states only; a failed attempt shows that steps of its length are not smooth.
 inline constexpr int plain_steps_after_failure = 5;
 
+/// The helper that predicts the state.
 class Predictor : public Helper {
  public:
   explicit Predictor(Solver& solver) : solver_(solver) {}
 
   std::string unavailable() const override;
-  /// Whether the new step starts at a predicted state.
+  /// True if the new step starts at a predicted state.
   bool will_predict() const;
   bool predict(const std::function<void()>& arrived) override;
-  /// The right-hand side R(x + P) + theta K P.
+  /// Adds theta K P to the residual of the first iteration, which is then R(x + P) + theta K P.
   void complete_residual() override;
   bool multiplies_by_matrix() const override { return true; }
-  /// Keeps the change of the step, and judges by it which curves predict best.
+  /// Keeps the change of the step, and determines the polynomials that predict it best.
   void end_step() override;
   void rewind() override;
   void archive(Archive& archive) override;
 
  private:
+  /// True if a prediction may save iterations.
   bool is_worth_trying() const;
+  /// True if the displacements and at least one changing variable can be predicted.
   bool predicts_the_change() const;
+  /// True if the loads deviate from their prediction, as at a kink of a load curve.
   bool loads_turn() const;
+  /// The predicted change per equation. `prescribed`: prescribed increments.
   std::vector<double> prediction(const std::vector<double>& prescribed) const;
+  /// Norm of the residual after a change and an increment; infinite if an element is inverted.
   double residual_norm(const std::vector<double>& change, std::vector<double> increment);
+  /// True if the residual at the predicted state is not larger than without prediction. It leaves the model at the
+  /// predicted state.
   bool is_better_than_plain(const std::vector<double>& predicted, const std::vector<double>& prescribed);
+  /// Rejects the prediction: restores the state.
   void drop(const std::vector<double>& prescribed);
+  /// Discards past steps of another step of the analysis.
   void forget_other_analysis_step();
 
   Solver& solver_;
-  std::vector<PastSteps> variables_;  ///< (dofs of the variable, nodes) each
-  std::vector<PastSteps> loads_;      ///< of each load, (1, 1)
-  std::vector<double> load_values_;   ///< at the end of the last step; empty before the first
-  int analysis_step_ = -1;            ///< whose steps those are
-  int plain_steps_ = 0;               ///< how many steps from now on start plainly
-  bool has_predicted_ = false;        ///< whether the present step began at the predicted state
-  bool is_dropping_ = false;          ///< whether the restored state is a dropped prediction and no failed attempt
-  int iterations_plain_ = 1;          ///< of the last step that began plainly
-  double error_ = 1;                  ///< of the prediction of the last change, the largest of a variable
-  double error_in_vain_ = 0;          ///< the same where a prediction saved no iteration
-  std::vector<double> part_of_prediction_;  ///< theta P, per equation; empty except in the first iteration of a step
+  std::vector<PastSteps> variables_;  ///< past changes of each variable, shape (dofs of the variable, nodes)
+  std::vector<PastSteps> loads_;      ///< past changes of each load, shape (1, 1)
+  std::vector<double> load_values_;   ///< load values at the end of the last step; empty before the first
+  int analysis_step_ = -1;            ///< step of the analysis to which the past steps belong
+  int plain_steps_ = 0;               ///< number of next steps that start without prediction
+  bool has_predicted_ = false;        ///< true if the present step started at the predicted state
+  bool is_dropping_ = false;          ///< true while a rejected prediction is undone, which is not a failed attempt
+  int iterations_plain_ = 1;          ///< number of iterations of the last step without prediction
+  double error_ = 1;          ///< relative error of the prediction of the last change, the largest of all variables
+  double error_in_vain_ = 0;  ///< value of error_ for which a prediction saved no iteration
+  std::vector<double> part_of_prediction_;  ///< theta P per equation; empty except in the first iteration of a step
 };
 
 }  // namespace newton

@@ -5,7 +5,7 @@
 namespace newton {
 namespace {
 
-/// FEBio's default of the least residual [N^2]; another value is the user's.
+/// FEBio's default of the smallest residual [N^2]; any other value was set by the user.
 constexpr double default_least = 1e-20;
 
 }  // namespace

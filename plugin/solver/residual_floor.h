@@ -1,7 +1,7 @@
-/// The least residual that a solver can reach with a stiff contact.
+/// The smallest residual that a solver can reach with stiff contact.
 ///
-/// A large penalty multiplies the rounding of positions. The residual is that rounding from the start of a step in
-/// which nothing changes, and no part of it goes away: a test against its first value never ends.
+/// A large penalty multiplies the rounding of positions. In a step without changes, the residual consists of this
+/// rounding from the start and cannot decrease, such that a test relative to its first value would never pass.
 #pragma once
 
 #include "helper.h"
@@ -12,12 +12,15 @@
 
 namespace newton {
 
+/// The helper that raises the solver's smallest residual.
 class ResidualFloor : public Helper {
  public:
-  /// `rounding`: the square of the forces by rounding of positions under the present loads [N^2].
+  /// `rounding`: returns the squared norm of the forces that the rounding of positions causes at the present loads
+  /// [N^2].
   ResidualFloor(Solver& solver, std::function<double()> rounding) : solver_(solver), rounding_(std::move(rounding)) {}
 
-  /// The solver's own least residual is at least the rounding, until the step ends. One that a user gives stays.
+  /// Raises the solver's smallest residual to the rounding until the end of the step. A larger value set by the user is
+  /// kept.
   bool begin_step() override;
   void end_step() override { let_go(); }
   void rewind() override { let_go(); }
@@ -26,7 +29,7 @@ class ResidualFloor : public Helper {
  private:
   Solver& solver_;
   std::function<double()> rounding_;
-  std::optional<double> given_;  ///< the solver's own, while it is raised [N^2]
+  std::optional<double> given_;  ///< the solver's own smallest residual, while it is raised [N^2]
 };
 
 }  // namespace newton

@@ -1,6 +1,6 @@
-/// Multiples of rows of a matrix that have been added to other rows of it.
+/// Row operations on a matrix: multiples of rows that are added to other rows.
 ///
-/// With T the operations, T A x = T b has the solution of A x = b.
+/// With the operations T, the system T A x = T b has the same solution as A x = b.
 #pragma once
 
 #include "indexing/entries.h"
@@ -9,7 +9,7 @@
 
 namespace newton {
 
-/// A row to which multiples of others have been added, none of which has been added to itself.
+/// The addition of multiples of rows to one row. No other operation changes these rows.
 struct RowOperation {
   struct Term {
     int row;
@@ -18,7 +18,7 @@ struct RowOperation {
   int row = 0;
   std::vector<Term> terms;
 
-  /// The term that it adds to its entry of a right-hand side.
+  /// The change of the row's entry in a right-hand side.
   double added_to(const std::vector<double>& right) const {
     double sum = 0;
     for (const Term& term : terms) sum += term.factor * indexing::at(right, term.row);
@@ -26,10 +26,10 @@ struct RowOperation {
   }
 };
 
-/// Operations on different rows of one matrix.
+/// Operations on different rows of a matrix.
 using RowOperations = std::vector<RowOperation>;
 
-/// T b.
+/// The right-hand side T b after the operations.
 inline std::vector<double> applied(const RowOperations& operations, std::vector<double> right) {
   for (const RowOperation& operation : operations) indexing::at(right, operation.row) += operation.added_to(right);
   return right;

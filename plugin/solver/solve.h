@@ -1,4 +1,4 @@
-/// A solution with a matrix that has been factorised.
+/// Solution with a factorised matrix.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace newton {
 
-/// K^-1 times a right-hand side.
+/// Returns K^-1 times a right-hand side.
 using Solve = std::function<std::vector<double>(const std::vector<double>& right)>;
 
 }  // namespace newton

@@ -11,7 +11,7 @@ using indexing::at;
 namespace newton {
 namespace {
 
-/// By how much a sweep has to reduce the change of the one before.
+/// Each iteration has to reduce the change at least by this factor.
 constexpr double least_reduction = 0.5;
 
 std::vector<double> difference(const std::vector<double>& one, const std::vector<double>& other) {
@@ -20,7 +20,7 @@ std::vector<double> difference(const std::vector<double>& one, const std::vector
   return result;
 }
 
-/// The length of what D multiplies of a vector.
+/// The norm of the entries of x that D multiplies.
 double length(const MatrixParts& parts, const std::vector<double>& x) {
   double squares = 0;
   for (const MatrixPart* part : parts) squares += part->squares(x);
@@ -69,9 +69,9 @@ Split split(const Solve& solve, const MatrixParts& parts, const std::vector<doub
   if (are_empty(parts)) return {};
   std::vector<double> x = solve(right);
   double change = length(parts, x);
-  if (!std::isfinite(change)) return {};  // nothing is known of the part: the host sees for itself
+  if (!std::isfinite(change)) return {};  // the parts cannot be judged; the host detects the failure itself
   if (seen.are_enough()) return {product(parts, x), true, std::move(x), change, seen.reduction};
-  std::vector<double> before;  // the product that the present x was solved with
+  std::vector<double> before;  // the product in the right-hand side of the present x
   while (true) {
     std::vector<double> made = product(parts, x);
     std::vector<double> next = solve(difference(right, made));
@@ -84,7 +84,7 @@ Split split(const Solve& solve, const MatrixParts& parts, const std::vector<doub
     x = std::move(next);
     before = std::move(made);
     change = next_change;
-    // The sweep that is left reduces the error once more.
+    // The iteration by the caller reduces the error once more.
     if (change * reduction <= tolerance * length(parts, x))
       return {product(parts, x), true, std::move(x), change, reduction};
   }
@@ -94,7 +94,8 @@ Split split_near(const Split& last, std::vector<double> x, const Solve& solve, c
                  const std::vector<double>& right, double tolerance) {
   if (are_empty(parts)) return {};
   if (last.x.empty()) return split(solve, parts, right, tolerance);
-  // It was solved with what the x before the last one was multiplied to: another sweep would change it by so much.
+  // The last solution was computed with the product of the x before it; another iteration would change it by this
+  // amount.
   const double change = last.change + length(parts, difference(x, last.x));
   const bool is_near = last.reduction * last.reduction * change <= tolerance * length(parts, x);
   if (!is_near) return split(solve, parts, right, tolerance);
@@ -103,7 +104,7 @@ Split split_near(const Split& last, std::vector<double> x, const Solve& solve, c
 
 double seen_reduction(const Split& split, const MatrixParts& parts, const std::vector<double>& solution) {
   const double seen = length(parts, difference(solution, split.x)) / split.change;
-  return std::isfinite(seen) ? seen : unknown_reduction;  // of nothing, too
+  return std::isfinite(seen) ? seen : unknown_reduction;  // also for 0/0
 }
 
 }  // namespace newton

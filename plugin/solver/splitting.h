@@ -1,8 +1,8 @@
-/// A matrix of which a part is deferred and not factorised.
+/// Solution of a system whose matrix is factorised only in part.
 ///
-/// A x = b, with A = K + D and the factors of K alone, is solved by iterating K x' = b - D x, a splitting (Varga
-/// 2000, Matrix Iterative Analysis, chapter 3). Each iteration takes a back substitution. It converges if the spectral
-/// radius of K^-1 D is less than 1: D is then small compared with K.
+/// The system A x = b with A = K + D, of which only K is factorised, is solved by the iteration K x' = b - D x, a
+/// matrix splitting (Varga 2000, Matrix Iterative Analysis, chapter 3). Each iteration takes one back substitution. It
+/// converges if the spectral radius of K^-1 D is less than 1, that is, if D is small compared with K.
 #pragma once
 
 #include "solve.h"
@@ -14,68 +14,68 @@
 
 namespace newton {
 
-/// A dense block and its place in a matrix. Rows and columns with the equation -1 are left out.
+/// A dense block with its position in a matrix. Rows and columns with the equation -1 are ignored.
 struct MatrixBlock {
-  std::vector<int> rows;     ///< equations
-  std::vector<int> columns;  ///< equations
+  std::vector<int> rows;     ///< equations of the rows
+  std::vector<int> columns;  ///< equations of the columns
   Eigen::MatrixXd values;    ///< shape (rows, columns)
 };
 
-/// The part D, in blocks that may overlap.
+/// A part D of a matrix that is not factorised, as the sum of blocks, which may overlap.
 class MatrixPart {
  public:
   void clear() { blocks_.clear(); }
   void add(MatrixBlock block) { blocks_.push_back(std::move(block)); }
   bool empty() const { return blocks_.empty(); }
 
-  /// Adds D x to a vector.
+  /// Adds D x to `sum`.
   void add_product(const std::vector<double>& x, std::vector<double>& sum) const;
-  /// Adds the squares of the entries of x that D multiplies to a sum, once for each block that has it.
+  /// The sum of the squares of the entries of x that D multiplies, once for each block that contains an entry.
   double squares(const std::vector<double>& x) const;
 
  private:
   std::vector<MatrixBlock> blocks_;
 };
 
-/// The parts of several contacts, of which D is the sum.
+/// The parts of several contacts; D is their sum.
 using MatrixParts = std::vector<const MatrixPart*>;
 
-/// Whether all parts are empty.
+/// True if all parts are empty.
 bool are_empty(const MatrixParts& parts);
 
-/// The result of splitting for one right-hand side.
+/// The result of a splitting for one right-hand side.
 struct Split {
-  std::vector<double> product;  ///< D x: K x' = b - D x gives the solution of K + D; empty for zero
-  bool converges = true;        ///< whether each iteration halved the change, at least
-  std::vector<double> x;        ///< the x of `product`; empty if D is zero
-  double change = 0;            ///< D times the change of x by the iteration that made it
-  double reduction = 0;         ///< of such a change, by another iteration
+  std::vector<double> product;  ///< D x, such that K x' = b - D x gives the solution of (K + D) x' = b; empty for zero
+  bool converges = true;        ///< true if each iteration reduced the change to less than a half
+  std::vector<double> x;        ///< the vector x of `product`; empty if D is zero
+  double change = 0;            ///< norm of D times the change of x in the last iteration
+  double reduction = 0;         ///< factor by which an iteration reduces this change
 };
 
-/// Split::reduction of an unknown iteration.
+/// Value of Split::reduction if it is unknown.
 inline constexpr double unknown_reduction = 1;
 
-/// The convergence that other right-hand sides have shown.
+/// The convergence of the iteration for earlier right-hand sides.
 struct SeenSweeps {
   double reduction = unknown_reduction;
-  double tolerance = 0;  ///< of x, for a split that rests on this
+  double tolerance = 0;  ///< relative error of x up to which a single iteration is accepted
 
-  /// Whether the iteration that is left to the caller is, with the first product D x.
+  /// True if a single iteration reaches the tolerance with this reduction. split() then returns D x for its first x.
   bool are_enough() const { return reduction * reduction <= tolerance; }
 };
 
-/// Solves (K + D) x = b except for its last iteration, which is left to the caller: K x' = b - D x. The product D x' is
-/// right to `tolerance`, a part of it, or to that of those `seen`; if the iterations do not converge, it is that before
-/// the first iteration with a growing change.
+/// Iterates for (K + D) x = b, except for the last iteration K x' = b - D x, which the caller has to perform. The
+/// product D x' then has the relative error `tolerance`, or the tolerance of `seen`. If the iteration does not
+/// converge, the result is that before the first iteration with a growing change. `right`: b.
 Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
             const SeenSweeps& seen = {});
 
-/// Solves (K + D) x = b except for the last iteration, as split() does, given the x that K has for another right-hand
-/// side, solved as the x of `last` was. Takes no iteration where that x is near enough to the last one.
+/// Iterates for (K + D) x = b, as split() does, starting from the solution x of K for another right-hand side, which
+/// was solved with the product of `last`. It performs no iteration if x is sufficiently near to the last one.
 Split split_near(const Split& last, std::vector<double> x, const Solve& solve, const MatrixParts& parts,
                  const std::vector<double>& right, double tolerance);
 
-/// The reduction of the change by the iteration that was left of a split, given the solution that it made.
+/// The factor by which the iteration of the caller has reduced the change. `solution`: result of that iteration.
 double seen_reduction(const Split& split, const MatrixParts& parts, const std::vector<double>& solution);
 
 }  // namespace newton

@@ -22,14 +22,14 @@ void log_summary(const Log& log, int steps, const Effort& total, bool done, doub
   log.print("\n %s\n\n", done ? "N O R M A L   T E R M I N A T I O N" : "E R R O R   T E R M I N A T I O N");
 }
 
-/// Whether a concentration is below zero by more than a part of the largest one that rounding may leave.
+/// True if a concentration is negative by more than a fraction of the largest one that rounding may cause.
 bool has_negative_concentration(const MatrixXd& values) {
   constexpr double negligible = 1e-6;
   const auto concentrations = values.bottomRows(values.rows() - concentration_dof(0));
   return concentrations.size() > 0 && concentrations.minCoeff() < -negligible * concentrations.maxCoeff();
 }
 
-/// The steps of an analysis.
+/// The time steps of an analysis.
 class Steps {
  public:
   Steps(const Model& model, Log& log)
@@ -41,7 +41,7 @@ class Steps {
       for (const std::string& line : tie.lines()) log_.print("%s\n", line.c_str());
     }
     output_.write(0, 0);
-    newton_.begin();  // ambient values are there when the first step begins
+    newton_.begin();  // sets the ambient values for the first step
     const double end = model_.control.end;
     const double near = end * 1e-7;
     while (end - time_ > near) {
@@ -60,14 +60,14 @@ class Steps {
     return true;
   }
 
-  /// Says what is to be said at the end of a run.
+  /// Logs the summary at the end of a run.
   void end() const { say(reducible_.summary()); }
 
   int done() const { return done_; }
   const Effort& total() const { return total_; }
 
  private:
-  /// Takes one step to `time`; where it fails, everything is as before.
+  /// Solves one step to `time`. If it fails, the state at its start is restored, and the result is false.
   bool step(double time) {
     log_.print("\n===== beginning time step %d : %g =====\n\n", done_ + 1, time);
     const Problem::State before = problem_.save();
@@ -138,7 +138,7 @@ class Steps {
   double time_ = 0;
   int done_ = 0;
   Effort total_;
-  std::set<const Contact*> warned_;  ///< whose overlap the log has warned of
+  std::set<const Contact*> warned_;  ///< contacts whose overlap has been reported
 };
 
 }  // namespace

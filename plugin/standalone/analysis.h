@@ -1,4 +1,4 @@
-/// An analysis from its start to its end.
+/// The analysis of a model from start to end.
 #pragma once
 
 #include "log.h"
@@ -6,8 +6,8 @@
 
 namespace standalone {
 
-/// Runs a model, its steps, output and summary, as FEBio would. Returns whether it got to its end.
-/// Throws InputError if the model turns out not to be one that can be run.
+/// Runs a model with its steps, output and summary, as FEBio would. Returns true if the analysis has reached its end.
+/// Throws InputError if the model cannot be run.
 bool run(const Model& model, Log& log);
 
 }  // namespace standalone

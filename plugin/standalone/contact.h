@@ -1,5 +1,4 @@
-/// A contact interface of a model: gathers positions and fields for the contact core, and hands its residual and
-/// tangent on.
+/// A sliding contact of a model.
 #pragma once
 
 #include "host/penalty_reduction.h"
@@ -7,8 +6,8 @@
 
 namespace standalone {
 
-/// One contact. Its state, besides the core's multipliers and status, are the current nodal values that the caller
-/// passes.
+/// A sliding contact: it passes positions and fields of the model to the contact core. Its own state is that of the
+/// core; the caller passes the current nodal values.
 class Contact {
  public:
   using Side = mixture_contact::Side;
@@ -21,23 +20,23 @@ class Contact {
   const ContactDefinition& definition() const { return definition_; }
   mixture_contact::ContactInterface& core() const { return *core_; }
   const std::vector<int>& nodes(Side side) const { return surfaces_.nodes(side); }
-  /// A line with the exchanged effects of the contact, and the reason for each absent one.
+  /// A line for the log with the exchanged effects, and the reason for each effect that is not exchanged.
   const std::string& effects_line() const { return effects_line_; }
 
-  /// Takes laws as they are at the end of a step of `dt` [s]: friction knows the ambient pressure, and an automatic
-  /// penalty of the traction is reduced as `reduction` says.
+  /// Sets the laws at the end of a step of length `dt` [s] that ends at `time` [s], with the ambient pressure of the
+  /// friction law at that time. `reduction`: reduction of an automatic traction penalty.
   void update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction);
-  /// Whether a reduction changes any penalty.
+  /// True if reduced penalties have an effect on this contact.
   bool has_reducible_penalty() const;
-  /// Reads the materials behind the facets again: the convective part follows the current flow.
+  /// Reads the materials behind the facets again, because their convective part depends on the current flow.
   void update_properties(const MatrixXd& values);
-  /// Finds out which facets face each other.
+  /// Searches for the facets that face each other at these nodal values.
   void project(const MatrixXd& values) { core_->project(surfaces_.positions(values)); }
-  /// Positions and exchanged fields, as the core takes them.
+  /// Positions and exchanged fields in the form of the core.
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const {
     return surfaces_.fields(values, core_->effects());
   }
-  /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.
+  /// For each entry of a local vector of the core, its index in a vector of all nodal values (see Model::place).
   std::vector<int> places(const mixture_contact::ContactInterface::Location& where) const {
     return surfaces_.places(where.patch, where.first, core_->effects());
   }

@@ -9,12 +9,12 @@
 namespace standalone {
 namespace {
 
-/// Parametric coordinates of the 20 nodes; 0 along the edge that a mid-edge node stands on.
+/// Parametric coordinates of the 20 nodes; 0 along the edge of a mid-edge node.
 constexpr std::array<std::array<int, 3>, 20> node_xi{{
     {-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1},  // corners
     {0, -1, -1},  {1, 0, -1},  {0, 1, -1}, {-1, 0, -1},                                                  // lower edges
     {0, -1, 1},   {1, 0, 1},   {0, 1, 1},  {-1, 0, 1},                                                   // upper edges
-    {-1, -1, 0},  {1, -1, 0},  {1, 1, 0},  {-1, 1, 0},                                                   // between
+    {-1, -1, 0},  {1, -1, 0},  {1, 1, 0},  {-1, 1, 0},  // vertical edges
 }};
 
 /// A factor of a shape function in one coordinate, (1 + xi xi_a) or (1 - xi^2), and its derivative.
@@ -37,7 +37,7 @@ Eigen::Matrix4Xd hexahedron_shape(int nodes, const Eigen::Vector3d& xi) {
       shape.col(a) = product / 4;
     } else if (nodes == 8) {
       shape.col(a) = product / 8;
-    } else {  // a corner among 20: vanishes on the mid-edge nodes
+    } else {  // a corner of 20 nodes; the function vanishes at the mid-edge nodes
       const double plane = xi[0] * place[0] + xi[1] * place[1] + xi[2] * place[2] - 2;
       shape.col(a) = product * plane / 8;
       for (int i = 0; i < 3; ++i) shape(1 + i, a) += product[0] * at(place, i) / 8;

@@ -1,6 +1,6 @@
-/// The mixture at a point: stress, fluxes and contents from deformation, pressure and concentration. Pure functions.
+/// The mixture at a point: stress, fluxes and contents from deformation, pressure and concentration, as pure functions.
 ///
-/// Everything refers to the reference configuration, so that the gradients of the shape functions never change: the
+/// All quantities refer to the reference configuration, in which the gradients of the shape functions are constant: the
 /// integrals are those of (2.1)-(2.3) over the current configuration, pulled back.
 #pragma once
 
@@ -13,32 +13,35 @@
 
 namespace standalone {
 
-/// Fields at a point, one column each: row 0 the value, rows 1 to 3 the reference gradient.
+/// The fields at a point, one column each: row 0 contains the value, rows 1 to 3 the gradient in the reference
+/// configuration.
 template <class T>
 using PointFields = Eigen::Matrix<T, 4, max_fields>;
 
-/// The state of a point after the last time step.
+/// The state of a point at the end of the last time step.
 struct PointHistory {
-  double volume_ratio = 1;  ///< J
-  double content = 0;       ///< J phi_w kappa~ c~ [nmol/mm^3]
+  double volume_ratio = 1;  ///< volume ratio J
+  double content = 0;       ///< content of solute J phi_w kappa~ c~ [nmol/mm^3]
 };
 
-/// A mixture at a point. Without pores there are no fluxes, without solute there is no flux and content of it.
+/// The state of a mixture at a point. A material without pores has no fluxes; one without solute has no solute flux and
+/// content.
 template <class T>
 struct PointState {
   using Vector = Eigen::Matrix<T, 3, 1>;
 
-  Eigen::Matrix<T, 3, 3> deformation;    ///< F
-  Eigen::Matrix<T, 3, 3> cofactor;       ///< J F^-T
-  T volume_ratio{};                      ///< J
+  Eigen::Matrix<T, 3, 3> deformation;    ///< deformation gradient F
+  Eigen::Matrix<T, 3, 3> cofactor;       ///< cofactor J F^-T
+  T volume_ratio{};                      ///< volume ratio J
   Eigen::Matrix<T, 3, 3> stress;         ///< first Piola-Kirchhoff stress of the mixture [MPa]
-  T pressure{};                          ///< p = p~ + R T Phi c [MPa]
-  T content{};                           ///< J phi_w kappa~ c~ [nmol/mm^3]
-  Vector solvent_flux = Vector::Zero();  ///< w in the current configuration [mm/s]
-  Vector solute_flux = Vector::Zero();   ///< j in the current configuration [nmol/(mm^2 s)]
+  T pressure{};                          ///< pressure p = p~ + R T Phi c [MPa]
+  T content{};                           ///< content of solute J phi_w kappa~ c~ [nmol/mm^3]
+  Vector solvent_flux = Vector::Zero();  ///< solvent flux w in the current configuration [mm/s]
+  Vector solute_flux = Vector::Zero();   ///< solute flux j in the current configuration [nmol/(mm^2 s)]
 };
 
-/// Kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. Throws StepFailure if J <= 0.
+/// Computes the kinematics and the neo-Hookean stress P = mu (F - F^-T) + lambda ln(J) F^-T. `q`: fields at the point.
+/// Throws StepFailure if J <= 0.
 template <class T>
 PointState<T> deform(const Material& material, const PointFields<T>& q) {
   using std::log;
@@ -56,10 +59,12 @@ PointState<T> deform(const Material& material, const PointFields<T>& q) {
   return s;
 }
 
-/// Adds the fluid and the solutes to a deformed solid: pressure p = p~ + R T Phi c, and the fluxes of (2.2) and (2.3),
+/// Adds fluid and solute to a deformed solid `s`: the pressure p = p~ + R T Phi c, and the fluxes of (2.2) and (2.3),
 ///
 ///   w = -k~ [grad p~ + R T kappa~ (d/d0) grad c~],   1/k~ = 1/k + R T kappa~ c~ (1 - d/d0) / (phi_w d0),
 ///   j = kappa~ d (c~ w / d0 - phi_w grad c~).
+///
+/// `gas_energy`: R T [mJ/nmol]. `q`: fields at the point.
 template <class T>
 void flow(const Material& material, double gas_energy, const PointFields<T>& q, PointState<T>& s) {
   using Vector = Eigen::Matrix<T, 3, 1>;
@@ -91,7 +96,7 @@ void flow(const Material& material, double gas_energy, const PointFields<T>& q, 
   s.stress -= s.cofactor * s.pressure;
 }
 
-/// The whole state at a point.
+/// The complete state at a point with the fields `q`. `gas_energy`: R T [mJ/nmol].
 template <class T>
 PointState<T> point_state(const Material& material, double gas_energy, const PointFields<T>& q) {
   PointState<T> s = deform<T>(material, q);
@@ -99,12 +104,13 @@ PointState<T> point_state(const Material& material, double gas_energy, const Poi
   return s;
 }
 
-/// Quantities that are work-conjugate to the fields of a point: row 0 with the virtual value, rows 1 to 3 with its
-/// gradient in the reference configuration, per column
+/// The quantities that are work-conjugate to the fields of a point. Row 0 belongs to the virtual value, rows 1 to 3 to
+/// its gradient in the reference configuration. The columns are
 ///
 ///   u (2.1)  [0; P_i]    p~ (2.2)  [J_0 - J; dt W]    c~ (2.3)  [m_0 - m; dt J_k]
 ///
-/// with the fluxes pulled back, W = J F^-1 w, the content m, and backward differences in time.
+/// with the fluxes pulled back, W = J F^-1 w, the content m, and backward differences in time. `last`: state at the
+/// start of the step.
 template <class T>
 PointFields<T> point_forces(const Material& material, double gas_energy, double dt, const PointHistory& last,
                             const PointFields<T>& q) {

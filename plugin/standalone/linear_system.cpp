@@ -8,9 +8,9 @@
 namespace standalone {
 namespace {
 
-/// A diagonal entry serves as pivot unless it is this much smaller than the largest of its column. The matrix is close
-/// to a symmetric quasi-definite one, whose factors exist in any order (Vanderbei 1995), so the order that keeps them
-/// sparse wins.
+/// A diagonal entry is accepted as a pivot if it is at least this fraction of the largest entry in its column. The
+/// matrix is almost symmetric and quasi-definite. Such a matrix has factors for any order of pivots (Vanderbei 1995),
+/// so that the order with the sparsest factors is preferred.
 constexpr double pivot_threshold = 1e-3;
 
 bool have_same_pattern(const LinearSystem::Matrix& one, const LinearSystem::Matrix& two) {

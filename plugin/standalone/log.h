@@ -1,4 +1,4 @@
-/// The log of a run, on the screen and in a file, in FEBio's wording.
+/// The log of a run on the screen and in a file, in the wording of FEBio.
 #pragma once
 
 #include <cstdio>
@@ -7,16 +7,17 @@
 
 namespace standalone {
 
+/// Writes the log.
 class Log {
  public:
   explicit Log(bool on_screen = true) : on_screen_(on_screen) {}
 
-  /// Writes to a file as well from now on. Throws InputError if the file cannot be written.
+  /// Also writes to a file from now on. Throws InputError if the file cannot be written.
   void open(const std::string& path);
 
-  /// Like printf.
+  /// Writes formatted text; arguments as for printf.
   void print(const char* format, ...) const __attribute__((format(printf, 2, 3)));
-  /// Framed messages, with the words of a title such as "ERROR" or "WARNING" first.
+  /// Writes a framed message. `title`: heading such as "ERROR" or "WARNING".
   void box(const char* title, const std::string& text) const;
 
  private:

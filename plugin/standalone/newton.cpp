@@ -19,7 +19,7 @@ void Effort::operator+=(const Effort& other) {
 
 namespace {
 
-/// A contact of the problem at its current state.
+/// A contact at the current state of the problem.
 class ContactAtState : public mixture_contact::SteppedContact {
  public:
   ContactAtState(const Problem& problem, Contact& contact, Log& log)
@@ -96,7 +96,7 @@ void Newton::form_matrix(bool evaluated) {
   ++effort_.reformations;
   steps_.matrix_formed();
   if (!evaluated) evaluate_residual();
-  // Prescribed values change with the first iteration of a step: what they do to the unknowns counts as a force.
+  // Prescribed values change in the first iteration of a step; their effect on the unknowns counts as a force.
   const std::vector<bool> free = problem_.free();
   start_ = end_ - system_.times(problem_.pending());
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -138,7 +138,8 @@ void Newton::log_norms(const Norms& now, const Norms& required, double time) con
 
 bool Newton::augment() {
   const std::vector<Contact>& contacts = problem_.contacts();
-  // What converged with contact held is a solution only if it agrees with that; if not, iterations go on.
+  // A state that has converged with constant contact status is a solution only if the status agrees with it; otherwise
+  // iterations continue.
   if (!steps_.accepts(this)) {
     log_.print(" Contact has to change.\n");
     begin();
@@ -184,7 +185,7 @@ void Newton::solve_step(double time, double dt) {
     const bool balanced = converged(norms(end_, change), time);
     done = balanced && augment();
     if (done) continue;
-    // Where it balances, augment() has begun the next iteration, and its loads are to be evaluated.
+    // If the forces are balanced, augment() has begun the next iteration, and the loads have to be evaluated.
     form_matrix(!balanced);
   }
   problem_.accept_step();

@@ -10,7 +10,7 @@
 
 namespace standalone {
 
-/// How much work was done.
+/// Numbers of iterations, matrices and residual evaluations.
 struct Effort {
   int iterations = 0;
   int reformations = 0;
@@ -19,27 +19,27 @@ struct Effort {
   void operator+=(const Effort& other);
 };
 
-/// Full Newton: the matrix is formed in each iteration, contact status changes between iterations only, and a converged
-/// state counts as a solution only if the status agrees with it and the augmentations are done.
+/// Full Newton's method: each iteration assembles the matrix, and the contact status changes only between iterations. A
+/// converged state is a solution if the contact status agrees with it and no augmentation is needed.
 class Newton : private mixture_contact::SteppedModel {
  public:
   Newton(Problem& problem, Log& log);
 
-  /// Decides which nodes are in contact or have ambient values at the current state.
+  /// Decides at the current state which nodes are in contact and which have ambient values.
   void begin() { steps_.evaluate(this); }
 
-  /// Solves the step from the current state to `time`. Throws StepFailure if it does not converge.
+  /// Solves the step from the current state to `time` [s] with the increment `dt` [s]. Throws StepFailure if it does
+  /// not converge.
   void solve_step(double time, double dt);
 
-  /// The state of the start of a step has been restored.
+  /// Notes that the state at the start of the step has been restored.
   void rewind() { steps_.rewind(); }
 
-  /// The effort of the last step, also if it failed.
+  /// The effort of the last step, which may have failed.
   const Effort& effort() const { return effort_; }
 
  private:
-  /// The squared norms that the convergence tests compare, those of fields for displacement, pressure and each
-  /// concentration.
+  /// The squared norms in the convergence tests. `fields`: displacement, pressure, then each concentration.
   struct Norms {
     double residual = 0;
     double energy = 0;
@@ -47,7 +47,8 @@ class Newton : private mixture_contact::SteppedModel {
   };
   Norms norms(const VectorXd& residual, const VectorXd& change) const;
 
-  /// Matrix and residual of the current state; the latter is known already if `evaluated`, unless contact changes it.
+  /// Assembles the matrix at the current state, and evaluates the residual unless `evaluated` is true and contact has
+  /// not changed it.
   void form_matrix(bool evaluated);
   bool converged(const Norms& now, double time);
   void log_norms(const Norms& now, const Norms& required, double time) const;
@@ -57,7 +58,7 @@ class Newton : private mixture_contact::SteppedModel {
   bool apply_ambient() override { return problem_.switch_ambient(); }
   bool replaces_matrix() override { return false; }
   void evaluate() override { steps_.evaluate(this); }
-  void evaluate_bodies_after_contacts() override {}  // they are evaluated with the residual
+  void evaluate_bodies_after_contacts() override {}  // bodies are evaluated with the residual
   void evaluate_residual();
   void evaluate_residual(mixture_contact::Changed what) override;
   void correct_residual() override { evaluate_residual(); }
@@ -72,11 +73,12 @@ class Newton : private mixture_contact::SteppedModel {
   const Control& control_;
   LinearSystem system_;
   Effort effort_;
-  int allowed_reformations_ = 0;  ///< left until the step counts as failed
+  int allowed_reformations_ = 0;  ///< number of matrices that may still be assembled in the step
   int augmentations_ = 0;
   VectorXd start_, end_;  ///< residual before and after an iteration
+  /// Norms in the first iteration.
   Norms first_;
-  VectorXd increment_;  ///< of the step so far
+  VectorXd increment_;  ///< total increment of the step
   std::vector<std::unique_ptr<mixture_contact::SteppedContact>> contacts_;
   newton::Helpers no_helpers_;
   mixture_contact::ContactSteps steps_;

@@ -13,7 +13,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Values of Model::node_data at the nodes, shape (names, nodes).
+/// Values of Model::node_data() at the nodes, shape (names, nodes).
 MatrixXd node_table(const Problem& problem) {
   const Model& model = problem.model();
   const MatrixXd& fields = problem.values();
@@ -22,7 +22,7 @@ MatrixXd node_table(const Problem& problem) {
   return table;
 }
 
-/// Values of Model::element_data, means over each element, shape (names, elements).
+/// Values of Model::element_data(), averaged over each element, shape (names, elements).
 MatrixXd element_table(const Problem& problem) {
   const Model& model = problem.model();
   const Bodies& bodies = problem.bodies();
@@ -44,7 +44,7 @@ MatrixXd element_table(const Problem& problem) {
 constexpr int vtk_hexahedron = 12;
 constexpr int vtk_quadratic_hexahedron = 25;
 
-/// Writes a file whose root holds a tag with the name of its type, which `fill` fills.
+/// Writes a VTK file. `fill` fills the tag below the root, which has the name of the type.
 void write_vtk_file(const std::filesystem::path& path, const char* type, const std::function<void(XMLElement&)>& fill) {
   tinyxml2::XMLDocument document;
   document.InsertEndChild(document.NewDeclaration());

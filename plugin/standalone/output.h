@@ -1,4 +1,4 @@
-/// The output of a run besides its log: data files in FEBio's format, and files for ParaView.
+/// Output files of a run: data files in FEBio's format, and files for ParaView.
 #pragma once
 
 #include "problem.h"
@@ -7,13 +7,13 @@
 
 namespace standalone {
 
-/// Writes the state of a problem to all files of its model's output, in the folder of the model.
+/// Writes the state of a problem to all output files of its model, in the folder of the model.
 class Output {
  public:
-  /// Opens the files; throws InputError where one cannot be written.
+  /// Opens the files. Throws InputError if one cannot be written.
   explicit Output(const Problem& problem);
 
-  /// Writes the state at the end of a step (0: the initial one) at `time` [s].
+  /// Writes the state at the end of a step (0: initial state) at `time` [s].
   void write(int step, double time);
 
  private:
@@ -21,7 +21,7 @@ class Output {
   void write_vtk(int step, double time);
 
   const Problem& problem_;
-  std::vector<std::ofstream> streams_;                  ///< one per data file of the model
+  std::vector<std::ofstream> streams_;                  ///< one stream per data file of the model
   std::vector<std::pair<double, std::string>> states_;  ///< time [s] and .vtu file of each state written
 };
 

@@ -16,7 +16,7 @@ using mixture_contact::Side;
 using mixture_contact::SurfaceFields;
 using mixture_contact::SurfaceMesh;
 
-/// Distinct nodes of facets, ascending.
+/// The nodes of the facets, ascending and without repetition.
 std::vector<int> nodes_of(const std::vector<SurfaceFacet>& facets) {
   std::set<int> nodes;
   for (const SurfaceFacet& facet : facets)
@@ -24,7 +24,7 @@ std::vector<int> nodes_of(const std::vector<SurfaceFacet>& facets) {
   return {nodes.begin(), nodes.end()};
 }
 
-/// Row of nodal values that holds an exchanged field.
+/// Row of an exchanged field in a matrix of nodal values.
 int dof_of(const Effects& effects, int field) {
   const int solute = solute_of(effects, field);
   return solute < 0 ? pressure_dof : concentration_dof(solute);

@@ -1,4 +1,4 @@
-/// The two surfaces of a contact or a tie: their facets and nodes, the materials behind them, and nodal values on them.
+/// The two surfaces of a sliding contact or a tie: facets, nodes, materials behind the facets, and nodal values.
 #pragma once
 
 #include "bodies.h"
@@ -6,34 +6,38 @@
 
 namespace standalone {
 
-/// The error where no element of either surface has a stiffness.
+/// The error message if neither surface has an element with a stiffness.
 inline constexpr const char* no_stiffness =
     "both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave <auto_penalty> "
     "at 0";
 
+/// Access to the surfaces of a model in the form of the contact core.
 class PairedSurfaces {
  public:
   using Side = mixture_contact::Side;
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
 
-  /// Keeps references. Throws InputError if materials cannot be read.
+  /// Keeps references. Throws InputError if the materials cannot be used. `names`: names of the surfaces.
   PairedSurfaces(const Model& model, const PerSide<std::string>& names, const Bodies& bodies);
 
   const std::vector<int>& nodes(Side side) const { return nodes_[side]; }
   const PerSide<std::vector<int>>& nodes() const { return nodes_; }
-  /// Whether a displacement of any node is free.
+  /// True if a displacement of any node is free.
   bool can_move() const;
-  /// The materials behind all facets, at nodal values of shape (dofs, nodes): solutes are carried by the flow there.
+  /// The materials behind all facets. `values`: nodal values, shape (dofs, nodes); the convection of solutes depends on
+  /// them.
   FacetMaterials materials(const MatrixXd& values) const;
+  /// The meshes of the surfaces with these materials.
   PerSide<mixture_contact::SurfaceMesh> meshes(const FacetMaterials& materials,
                                                const mixture_contact::Effects& effects) const;
 
+  /// The positions of the nodes at these nodal values [mm].
   PerSide<Matrix3Xd> positions(const MatrixXd& values) const;
-  /// Positions and exchanged fields, as the core takes them.
+  /// Positions and exchanged fields in the form of the core.
   PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values, const mixture_contact::Effects& effects) const;
-  /// Places of nodal values (see Model::place) that a local vector over a patch belongs to. `first` is the patch's
-  /// primary side.
+  /// For each entry of a local vector over a patch, its index in a vector of all nodal values (see Model::place).
+  /// `first`: side of the patch's primary nodes.
   std::vector<int> places(const mixture_contact::Patch& patch, Side first,
                           const mixture_contact::Effects& effects) const;
 
@@ -43,8 +47,8 @@ class PairedSurfaces {
 
   const Model& model_;
   const Bodies& bodies_;
-  PerSide<std::vector<SurfaceFacet>> facets_;  ///< with nodes of the mesh
-  PerSide<std::vector<int>> nodes_;            ///< mesh nodes of each surface, in the order of the core
+  PerSide<std::vector<SurfaceFacet>> facets_;  ///< facets with node indices of the mesh
+  PerSide<std::vector<int>> nodes_;            ///< mesh nodes of each surface, in the node order of the core
 };
 
 }  // namespace standalone

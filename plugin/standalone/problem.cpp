@@ -12,7 +12,8 @@ namespace {
 using Location = mixture_contact::ContactInterface::Location;
 using Status = Problem::Status;
 
-/// Adds parts of the residuals of a contact or a tie to forces on all places. Keeps references.
+/// A function that adds parts of the residual of a contact or a tie to the forces at all nodal values. It keeps
+/// references.
 template <class Joint>
 auto adder(const Joint& joint, VectorXd& forces) {
   return [&joint, &forces](const auto& at, const VectorXd& local) {
@@ -32,7 +33,7 @@ void check_rigid(const Model& model, const Bodies& bodies, const std::vector<Sta
   }
 }
 
-/// What stands at each place at first.
+/// The initial status of all nodal values.
 std::vector<Status> initial_status(const Model& model, const Bodies& bodies) {
   std::vector<Status> status(entries(model.dofs() * model.mesh.nodes.cols()), Status::absent);
   for (std::size_t e = 0; e < bodies.elements(); ++e) {
@@ -50,8 +51,8 @@ std::vector<Status> initial_status(const Model& model, const Bodies& bodies) {
   return status;
 }
 
-/// Nodal forces, shape (dofs, nodes), of a unit load on the reference surface: of a pressure of 1 MPa, INT -N_a n dA
-/// [N], or of an outward solvent flux of 1 mm/s, INT N_a dA on the rows of p~ [mm^3/s].
+/// Nodal forces of a unit load on the reference surface, shape (dofs, nodes). Pressure of 1 MPa: INT -N_a n dA [N].
+/// Outward solvent flux of 1 mm/s: INT N_a dA in the rows of p~ [mm^3/s].
 MatrixXd unit_forces(const Model& model, const SurfaceLoad& load) {
   MatrixXd forces = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
   for (const SurfaceFacet& facet : load.facets) {
@@ -136,8 +137,8 @@ void Problem::accept_step() {
 // ------------------------------------------------------------ contact status
 
 bool Problem::switch_ambient() {
-  // A node is at ambient only where no contact has it; the first free-draining contact that it belongs to says what
-  // that is.
+  // A node has ambient values only if no contact has it in contact. The first free-draining contact of the node gives
+  // these values.
   std::map<int, const ContactDefinition*> definitions;
   std::set<int> in_contact;
   for (const Contact& contact : contacts_) {

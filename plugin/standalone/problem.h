@@ -9,51 +9,50 @@ namespace standalone {
 
 /// Bodies, contacts and conditions with the current nodal values.
 ///
-/// Vectors have one entry per place of a nodal value (see Model::place), whether it is unknown or not.
+/// Vectors have one entry per nodal value (see Model::place), including values that are not unknowns.
 class Problem {
  public:
-  /// Throws InputError if a rigid body is not held, or nothing is free. Conditions where no element has the field
-  /// are void.
+  /// Throws InputError if a rigid body is not fixed, or if there is no unknown. Conditions on fields that no element
+  /// has are ignored.
   explicit Problem(const Model& model);
 
   const Model& model() const { return model_; }
   const Bodies& bodies() const { return bodies_; }
   std::vector<Contact>& contacts() { return contacts_; }
   const std::vector<TiedContact>& ties() const { return ties_; }
-  /// Current u [mm], p~ [MPa] and c~ [mM], shape (dofs, nodes).
+  /// The current u [mm], p~ [MPa] and c~ [mM], shape (dofs, nodes).
   const MatrixXd& values() const { return state_.values; }
-  /// Forces that the last residual() left on prescribed displacements, where a condition reports them; shape (3,
-  /// nodes).
+  /// The reaction forces at prescribed displacements from the last residual(), except at fixed ones, for which FEBio
+  /// reports none; shape (3, nodes).
   Matrix3Xd reactions() const;
-  /// Whether each dof of each node holds an unknown now: its value is neither prescribed nor ambient.
+  /// Per nodal value, true if it is an unknown now: neither prescribed nor ambient.
   std::vector<bool> free() const;
 
-  /// Has automatic penalties of the traction reduced so from the next step on.
+  /// Sets the reduction of automatic traction penalties from the next step on.
   void reduce_penalties(const mixture_contact::ReducedPenalty& reduction) { reduction_ = reduction; }
-  /// Starts a time step that ends at `time` [s].
+  /// Starts a time step of length `dt` that ends at `time` [s].
   void start_step(double time, double dt);
-  /// Keeps the current state as the start of the next step.
+  /// Stores the current state as the start of the next step.
   void accept_step();
   double time_increment() const { return dt_; }
 
-  /// Switches nodes outside contact to ambient values, and frees the others. Returns whether anything changed.
+  /// Sets nodes out of contact to ambient values, and frees the other nodes. Returns true if anything changed.
   bool switch_ambient();
-  /// Adds a change and the pending changes to the nodal values.
+  /// Adds `change` and the pending increments to the nodal values.
   void advance(const VectorXd& change);
-  /// Prescribed increments that are not yet in the nodal values.
+  /// Prescribed increments that have not been added to the nodal values.
   const VectorXd& pending() const { return pending_; }
 
-  /// Forces on the free places; zero in equilibrium. Throws StepFailure if an element is inverted or a force not
-  /// finite.
+  /// The forces at unknown nodal values; zero in equilibrium. Throws StepFailure if an element is inverted or a force
+  /// is not finite.
   VectorXd residual();
-  /// Assembles the tangent, -d residual/d values.
+  /// Assembles the tangent -d residual/d values.
   void assemble(LinearSystem& system) const;
 
-  /// The kind of a value: none, prescribed, the ambient one at a node that is not in contact,
-  /// or unknown.
+  /// The status of a nodal value: without a field, prescribed, ambient (at a node out of contact), or unknown.
   enum class Status : unsigned char { absent, prescribed, ambient, free };
 
-  /// Everything that changes in a time step, to try one again.
+  /// All data that change in a time step, to repeat the step.
   struct State {
     MatrixXd values;
     std::vector<Status> status;
@@ -71,10 +70,10 @@ class Problem {
   Bodies bodies_;
   std::vector<Contact> contacts_;
   std::vector<TiedContact> ties_;
-  std::vector<MatrixXd> unit_forces_;  ///< per load
+  std::vector<MatrixXd> unit_forces_;  ///< nodal forces of each load for a value of 1
   State state_;
   VectorXd pending_;
-  VectorXd forces_;  ///< of the last residual(), on all places
+  VectorXd forces_;  ///< forces of the last residual() at all nodal values
   double time_ = 0, dt_ = 0;
   mixture_contact::ReducedPenalty reduction_;
 };

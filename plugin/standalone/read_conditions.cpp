@@ -17,7 +17,7 @@ int read_concentration(const Tag& tag, const Model& model) {
   tag.fail("\"" + tag.text() + "\" is no concentration; there are c1 to c" + std::to_string(model.solutes.size()));
 }
 
-/// Reads flags such as <x_dof>, each of which holds a displacement of the nodes at zero.
+/// Reads flags such as <x_dof>, each of which fixes a displacement of the nodes to zero.
 void read_fixed_axes(const Tag& tag, const std::string& prefix, bool fixed, const std::vector<int>& nodes,
                      Model& model) {
   for (int i = 0; i < 3; ++i) {
@@ -26,7 +26,7 @@ void read_fixed_axes(const Tag& tag, const std::string& prefix, bool fixed, cons
   }
 }
 
-/// Types are "zero", "prescribed" or "initial", and a field.
+/// Reads a condition. `type`: "zero", "prescribed" or "initial", and a field.
 Condition read_condition(const Tag& tag, const std::string& type, const Model& model) {
   const bool zero = type.rfind("zero", 0) == 0;
   const std::string field = type.substr(type.find(' ') + 1);

@@ -12,7 +12,7 @@ namespace {
 void take(const Tag& tag, const ParameterTag& /*parameter*/, std::string& value) { value = tag.text(); }
 void take(const Tag& tag, const ParameterTag& /*parameter*/, double& value) { value = tag.number(); }
 void take(const Tag& tag, const ParameterTag& /*parameter*/, bool& value) { value = tag.flag(); }
-/// One of some words, or its number.
+/// Reads one of the words in `parameter.choices`, or its number.
 void take(const Tag& tag, const ParameterTag& parameter, int& value) {
   Names names;
   for (const char* word = parameter.choices; word != nullptr && *word != 0; word += std::strlen(word) + 1)
@@ -21,7 +21,7 @@ void take(const Tag& tag, const ParameterTag& parameter, int& value) {
   value = name == names.end() ? tag.integer() : static_cast<int>(name - names.begin());
 }
 
-/// Parameters that are no load curves. `for_each`: for_each_parameter(), or that of ties.
+/// Reads the parameters without load curves. `for_each`: for_each_parameter(), or the function for ties.
 template <class ForEach>
 void read_parameters(const Tag& tag, ContactParameters& parameters, const ForEach& for_each) {
   for_each(parameters, [&](const ParameterTag& parameter, auto& value) {
@@ -29,7 +29,7 @@ void read_parameters(const Tag& tag, ContactParameters& parameters, const ForEac
     if (child) take(*child, parameter, value);
     if (child && parameter.given != nullptr) *parameter.given = true;
   });
-  // What only febio4 can do.
+  // Options that only febio4 supports must have their default values.
   tag.must_be("laugon", {"PENALTY", "AUGLAG", "0", "1"});
   for (const char* name : {"predictor", "node_reloc", "seg_up", "flip_primary", "flip_secondary",
                            "shell_bottom_primary", "shell_bottom_secondary"})
@@ -38,7 +38,7 @@ void read_parameters(const Tag& tag, ContactParameters& parameters, const ForEac
   if (!wrong.empty()) tag.fail(wrong.front());
 }
 
-/// The id of the solute that the attribute sol names, by name or id; of the only one where it is left out.
+/// The id of the solute in the attribute sol, by name or id; if the attribute is missing, the only solute of the model.
 int solute_of(const Tag& tag, const Model& model) {
   const std::optional<std::string> sol = tag.find_attribute("sol");
   if (!sol && model.solutes.size() != 1) tag.fail("the attribute sol must say which of the solutes this is for");
@@ -70,7 +70,7 @@ void read_membrane(const Tag& tag, const Model& model, MembraneParameters& membr
   if (!wrong.empty()) tag.fail(wrong.front());
 }
 
-/// Whether a contact is a tie.
+/// True if a contact is a tie.
 bool is_tie(const Tag& tag) {
   const std::string type = tag.attribute("type");
   if (type != "sliding-mixture" && type != "tied-mixture")
@@ -91,7 +91,7 @@ void check_surfaces(const Tag& tag, const Model& model, const ContactDefinition&
   }
 }
 
-/// What sliding contacts have, and ties do not.
+/// Reads the parameters that only sliding contacts have.
 void read_sliding(const Tag& tag, Model& model, ContactDefinition& contact) {
   read_parameters(tag, contact.parameters, [](auto&&... given) { for_each_parameter(given...); });
   read_membrane(tag, model, contact.parameters.membrane);

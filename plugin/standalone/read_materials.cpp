@@ -9,7 +9,7 @@ constexpr Range poisson{[](double x) { return x >= -0.999 && x < 0.5; }, "more t
 constexpr Range fraction{[](double x) { return x >= 0 && x < 1; }, "at least 0 and less than 1"};
 constexpr Range uncharged{[](double x) { return x == 0; }, "0; charges are not supported"};
 
-/// A property, which must be of the only type that is supported.
+/// A property of a material; fails unless it has the only supported type.
 Tag property(const Tag& tag, const char* name, const char* type) {
   const Tag child = tag.one(name);
   child.attribute("type", {type});
@@ -73,7 +73,7 @@ Material read_material(const Tag& tag, const Model& model) {
 void read_solute_of_model(const Tag& tag, Model& model) {
   model.solutes.push_back(tag.find_attribute("name").value_or(""));
   if (tag.integer_attribute("id") != number_of(model.solutes)) tag.fail("ids must count up from 1");
-  constexpr std::size_t most = mixture_contact::max_scalar_fields - 1;  // one more field is the solvent
+  constexpr std::size_t most = mixture_contact::max_scalar_fields - 1;  // one of the fields is the solvent
   if (model.solutes.size() > most) tag.fail("there may be up to " + std::to_string(most) + " solutes");
   tag.ignore({"molar_mass", "density"});
   if (const auto charge = tag.find("charge_number")) charge->number(uncharged);

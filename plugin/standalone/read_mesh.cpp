@@ -9,9 +9,10 @@ namespace {
 
 using Ids = std::map<int, int>;  ///< id in the file -> index
 
-using Faces = std::map<std::array<int, 4>, std::pair<int, int>>;  ///< corners in_order() -> element, its face
+/// Corners after in_order() -> element, number of its face.
+using Faces = std::map<std::array<int, 4>, std::pair<int, int>>;
 
-/// Indices of the nodes that a tag lists; `count`: how many these must be, 0 for any number.
+/// Indices of the nodes that a tag lists. `count`: required number of nodes; 0 for any number.
 std::vector<int> node_indices(const Tag& tag, const Ids& ids, std::size_t count) {
   std::vector<int> nodes;
   for (const int id : tag.integers()) {
@@ -35,7 +36,7 @@ void read_nodes(const Tag& section, Mesh& mesh, Ids& ids) {
   mesh.nodes.rightCols(mesh.nodes.cols() - known) = Matrix3Xd::Map(positions.data(), 3, mesh.nodes.cols() - known);
 }
 
-/// Reads one <Elements> section; returns the indices of its elements.
+/// Reads one <Elements> section. Returns the indices of its elements.
 std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh, std::set<int>& ids) {
   const std::size_t count = section.attribute("type", {"hex8", "hex20"}) == "hex8" ? 8 : 20;
   std::vector<int> part;
@@ -49,7 +50,7 @@ std::vector<int> read_elements(const Tag& section, const Ids& nodes, Mesh& mesh,
   return part;
 }
 
-/// Corners counter-clockwise, from the lowest on.
+/// Corners in counter-clockwise order, starting with the lowest.
 std::array<int, 4> in_order(std::array<int, 4> corners) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;

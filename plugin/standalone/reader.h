@@ -1,4 +1,4 @@
-/// Reads a model: the subset of FEBio XML 4.0 that this host supports.
+/// Reads models in the subset of FEBio XML 4.0 that this engine supports.
 #pragma once
 
 #include "model.h"
@@ -6,10 +6,10 @@
 
 namespace standalone {
 
-/// Reads a .feb file. Throws InputError, naming tag and line, for whatever is malformed, inconsistent or not supported.
+/// Reads a .feb file. Throws InputError with tag and line if anything is malformed, inconsistent or not supported.
 Model read_model(const std::string& path);
 
-// The sections of a file, each read into its part of the model, and their common data.
+// The next functions each read a section of the file into the model.
 void read_globals(const Tag& section, Model& model);
 void read_materials(const Tag& section, Model& model);
 void read_mesh(const Tag& section, Model& model);
@@ -20,12 +20,13 @@ void read_rigid(const Tag& section, Model& model);
 void read_loads(const Tag& section, Model& model);
 void read_contacts(const Tag& section, Model& model);
 
-/// The index of the load curve of the attribute lc, which must exist; -1 if there is none.
+/// The index of the load curve in the attribute lc; fails if it does not exist; -1 without the attribute.
 int read_curve(const Tag& tag, const Model& model);
 /// A number with its load curve.
 Parameter read_parameter(const Tag& tag, const Model& model);
 
-/// The value of a map under the name that an attribute gives; fails with the known names.
+/// The entry of a map whose name is the value of an attribute. If there is no such entry, it fails with the list of
+/// known names.
 template <class T>
 const T& named(const Tag& tag, const char* attribute, const std::map<std::string, T>& known) {
   const std::string name = tag.attribute(attribute);

@@ -1,4 +1,4 @@
-/// A tie of a model: gathers positions and fields for the core of ties, and hands its residual and tangent on.
+/// A tie of a model.
 #pragma once
 
 #include "contact/tie/tie.h"
@@ -7,26 +7,28 @@
 
 namespace standalone {
 
-/// One tie. Its state, besides the core's multipliers, are the current nodal values that the caller passes.
+/// A tie: it passes positions and fields of the model to the core of ties. Its own state is that of the core; the
+/// caller passes the current nodal values.
 class TiedContact {
  public:
   /// Finds the tied nodes in the reference configuration. Throws InputError if there are none.
   TiedContact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
 
   mixture_contact::Tie& core() const { return *core_; }
-  /// Lines with the exchanged effects of the tie, and its number of tied nodes.
+  /// Lines for the log with the exchanged effects and the number of tied nodes.
   const std::vector<std::string>& lines() const { return lines_; }
 
-  /// Takes penalties as they are in a step of `dt` [s]: those that follow the materials read these again.
+  /// Sets the penalties in a step of length `dt` [s]; materials are read again if penalties depend on them.
   void start_step(const MatrixXd& values, double dt);
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields(const MatrixXd& values) const {
     return surfaces_.fields(values, core_->effects());
   }
-  /// Places of nodal values (see Model::place) that a local vector of the core's belongs to.
+  /// For each entry of a local vector of the core, its index in a vector of all nodal values (see Model::place).
   std::vector<int> places(const mixture_contact::Patch& patch) const {
     return surfaces_.places(patch, mixture_contact::Side::primary, core_->effects());
   }
-  /// Reports gaps and jumps at a solution, and augments where they miss the tolerances.
+  /// Reports the gaps and jumps of a solution, and augments the tie if they exceed the tolerances. `augmentation`:
+  /// number of augmentations since the start of the step.
   Augmentation augment(const MatrixXd& values, int augmentation) const;
 
  private:

@@ -1,4 +1,4 @@
-/// Chooses time increments: fixed ones, or FEBio's automatic ones with must points.
+/// Time increments: constant ones, or FEBio's automatic ones with must points.
 #pragma once
 
 #include "log.h"
@@ -6,17 +6,19 @@
 
 namespace standalone {
 
-/// FEBio's rules: the increment follows the number of iterations that the last step took, stays below the largest one,
-/// and is cut so that no must point is passed.
+/// FEBio's rules for time steps: the increment depends on the number of iterations of the last step, is limited by the
+/// largest one, and is shortened to meet must points.
 class TimeStepper {
  public:
   TimeStepper(const Model& model, Log& log);
 
-  double increment() const { return increment_; }  ///< [s]
-  /// Chooses the increment from `time` on, after a step that took `iterations` (0: at the start).
+  double increment() const { return increment_; }  ///< present increment [s]
+  /// Chooses the increment of the step that starts at `time`. `iterations`: number of iterations of the last step; 0 at
+  /// the start.
   void advance(double time, int iterations);
   /// Chooses a smaller increment after a failed step. Returns false if no retries are left.
   bool retry();
+  /// Notes that the step has succeeded.
   void succeeded() { retries_ = 0; }
 
  private:
@@ -26,9 +28,9 @@ class TimeStepper {
 
   const Model& model_;
   Log& log_;
-  const StepControl* rules_;  ///< null for fixed increments
+  const StepControl* rules_;  ///< null for constant increments
   double increment_;
-  double wanted_;  ///< without the cut for a must point
+  double wanted_;  ///< increment before it was shortened for a must point [s]
   int retries_ = 0;
 };
 

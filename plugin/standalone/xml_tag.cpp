@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30U;
 
-/// Words between commas and blanks.
+/// The words of a text, separated by commas or blanks.
 std::vector<std::string> words(std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream stream(text);

@@ -1,5 +1,4 @@
-/// Tags of an XML file, read strictly: a missing, malformed or unread tag is an InputError that names tag
-/// and line.
+/// Strict reading of XML tags: a missing, malformed or unread tag causes an InputError with tag and line.
 #pragma once
 
 #include <tinyxml2.h>
@@ -16,7 +15,7 @@ namespace standalone {
 
 using Names = std::vector<const char*>;
 
-/// The allowed numbers, with words for a message.
+/// A range of allowed numbers, with its description for messages.
 struct Range {
   bool (*holds)(double);
   const char* words;
@@ -25,7 +24,7 @@ inline constexpr Range any{[](double) { return true; }, "a number"};
 inline constexpr Range positive{[](double x) { return x > 0; }, "positive"};
 inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number that is not negative"};
 
-/// The tags that a reader has read: all that a file may hold.
+/// The names of tags and attributes that a reader has requested; the file may contain no others.
 struct Asked {
   struct OfTag {
     std::set<std::string> children;
@@ -35,7 +34,7 @@ struct Asked {
   std::map<const tinyxml2::XMLElement*, OfTag> tags;
 };
 
-/// A tag of a document that outlives it. A reader's calls note the names that they ask about.
+/// A tag of an XML document, which has to outlive it. Its functions record the requested names.
 class Tag {
  public:
   Tag(const tinyxml2::XMLElement& element, const std::string& file, Asked& asked)
@@ -43,40 +42,42 @@ class Tag {
 
   std::string name() const { return element_->Name(); }
   int line() const { return element_->GetLineNum(); }
-  /// Throws the InputError "file, line 12, <tag>: text".
+  /// Throws InputError with the text "file, line 12, <tag>: what".
   [[noreturn]] void fail(const std::string& what) const;
-  /// Fails where this tag or one in it holds a tag that was not read. Any tag may have a name.
+  /// Fails if this tag, or a tag in it, contains a tag or attribute that was not requested. Every tag may have a name.
   void check() const;
 
-  /// The children of a name; the one child, if there is one; and the one child that must be there.
+  /// All children with this name.
   std::vector<Tag> all(const std::string& name) const;
+  /// The child with this name; empty if there is none.
   std::optional<Tag> find(const std::string& name) const;
+  /// The child with this name; fails unless there is exactly one.
   Tag one(const std::string& name) const;
-  /// Children that mean nothing here, whatever they hold.
+  /// Permits children with these names without reading them.
   void ignore(const Names& names) const;
 
   std::optional<std::string> find_attribute(const char* name) const;
   std::string attribute(const char* name) const;
-  /// The attribute as a positive integer.
+  /// The attribute as a positive integer; fails for other values.
   int integer_attribute(const char* name) const;
-  /// The attribute, which must be one of these.
+  /// The attribute; fails unless it is one of the allowed words.
   std::string attribute(const char* name, const Names& allowed) const;
 
   std::string text() const;
   double number(const Range& range = any) const;
   int integer(int least = std::numeric_limits<int>::min(), int most = std::numeric_limits<int>::max()) const;
   bool flag() const { return integer(0, 1) == 1; }
-  /// The position of the text among these words, from 0; an error for any other text.
+  /// The index of the text among these words, from 0; fails for other texts.
   std::size_t one_of(const Names& words) const;
-  /// Numbers separated by commas or blanks; a failure if they are not `count`.
+  /// The numbers in the text, separated by commas or blanks; fails unless there are `count` of them.
   std::vector<double> numbers(std::size_t count) const;
-  /// Positive integers separated by commas or blanks.
+  /// The positive integers in the text, separated by commas or blanks.
   std::vector<int> integers() const;
 
-  /// Takes the number of a child, if there is one.
+  /// Sets `value` to the number in a child, if there is such a child.
   void take(const char* name, double& value, const Range& range) const;
   void take(const char* name, int& value, int least, int most = std::numeric_limits<int>::max()) const;
-  /// Checks that a child, if there is one, contains one of these words.
+  /// Fails if there is such a child and its text is none of these words.
   void must_be(const char* name, const Names& words) const;
 
  private:
@@ -88,11 +89,11 @@ class Tag {
   Asked* asked_;
 };
 
-/// Calls `read` with the root tag of a file, which then must hold no other tags; throws InputError where
-/// the file is missing, too large or no XML.
+/// Calls `read` with the root tag of a file, then fails if the file contains tags that were not requested. Throws
+/// InputError if the file is missing, too large or not XML.
 void read_xml(const std::string& path, const std::function<void(const Tag&)>& read);
 
-/// Names in quotes with commas between, for lists of allowed names.
+/// The names in quotes, separated by commas; "nothing" for an empty list.
 template <class List>
 std::string listed(const List& names) {
   std::string list;

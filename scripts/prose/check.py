@@ -1,10 +1,10 @@
-"""Holds README, CONTRIBUTING, all pages, the help of the commands, messages and comments of headers to the style.
+"""Holds README, CONTRIBUTING, all pages, the help of the commands, messages and comments of C++ to the style.
 
     python scripts/prose/check.py [file ...]
 
 The help of each command is on the page of commands. Messages are texts of several words in the plugin's sources and in
 those of the commands for users. Exit code 1: something was found.
-Comments of headers follow the rules on subjects and words.
+Comments of the plugin's headers and sources follow the rules on subjects and words.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def objections(said: Iterable[Sentence], rules: list[Rule]) -> Iterator[tuple[in
 def findings(name: str, rules: list[Rule]) -> list[str]:
     """What the rules object to in a file, with the place."""
     found = [*objections(read(name), rules)]
-    if name.endswith(".h"):
+    if name.endswith((".h", ".cpp")):
         found += objections(comments_of_cpp((ROOT / name).read_text(encoding="utf-8")), of_comments())
     return [f"{name}:{line}: {text}" for line, text in found]
 

@@ -96,5 +96,5 @@ def house() -> list[Rule]:
 
 @cache
 def of_comments() -> list[Rule]:
-    """The rules of comments in headers, which may be noun phrases, and long with their formulas."""
+    """The rules of comments in C++, which may be noun phrases, and long with their formulas."""
     return [rule(name) for name in ("fronted", "noun_what", "openings", "words")]

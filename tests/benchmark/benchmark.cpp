@@ -1,5 +1,5 @@
-/// Times of the contact core per Newton iteration: against the number of threads, of facets (both
-/// integrations) and of effects.
+/// Times of the contact core per Newton iteration, for several numbers of threads, of facets (both integrations) and of
+/// effects.
 #include "surfaces.h"
 
 #ifdef _OPENMP
@@ -18,7 +18,7 @@ namespace {
 
 using namespace test;
 
-/// Seconds spent in the parts of one Newton iteration.
+/// Times of the parts of a Newton iteration [s].
 struct Times {
   double search = 0;
   double status = 0;
@@ -31,7 +31,7 @@ struct Times {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Seconds that a call takes.
+/// The time that a call takes [s].
 template <class Call>
 double timed(const Call& call) {
   const double start = seconds();
@@ -39,7 +39,7 @@ double timed(const Call& call) {
   return seconds() - start;
 }
 
-/// A contact of two non-matching squares in full contact that moves a little before every iteration.
+/// A contact of two non-matching squares in full contact, which move a little before each iteration.
 class Case {
  public:
   Case(std::string name, int facets, const Effects& effects, Integration integration = Integration::gauss)
@@ -58,7 +58,7 @@ class Case {
   std::size_t facets() const { return scene_.mesh[Side::primary].facets.size(); }
   const std::vector<Times>& times() const { return times_; }
 
-  /// One Newton iteration as a host drives it: a trial, status, profile, tangent.
+  /// Performs one Newton iteration as a host does: trial, status, profile, tangent.
   void iterate() {
     move();
     Times times;
@@ -82,7 +82,7 @@ class Case {
     return facing_grids(FacetType::quad4, FacetType::quad4, 0.1 / cells, cells, std::max(1, 3 * cells / 4));
   }
 
-  /// What can move does; fields always change.
+  /// Moves the surface, if it can move, and changes the fields.
   void move() {
     if (scene_.effects.traction) scene_.fields[Side::primary].position.row(0).array() += step_;
     scene_.fields[Side::primary].scalar.array() += step_;
@@ -107,7 +107,7 @@ double median(const std::vector<Times>& all, double Times::* part) {
   return median(values);
 }
 
-/// One line of JSON: medians over the iterations [s].
+/// Prints one line of JSON: medians over the iterations [s].
 void print(const Case& measured, int threads) {
   const auto& all = measured.times();
   std::vector<double> totals;
@@ -135,7 +135,7 @@ int threads_in_use() {
 #endif
 }
 
-/// Iterations in turn, so that a machine that is busy for a while is so for all of them.
+/// Measures the iterations of all cases in turn, such that other load on the machine affects all cases alike.
 void measure_in_turn(std::vector<Case>& cases, int iterations) {
   for (int i = 0; i < iterations; ++i) {
     for (Case& one : cases) one.iterate();

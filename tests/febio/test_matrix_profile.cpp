@@ -1,4 +1,4 @@
-/// Blocks come into the profile of FEBio's matrix as they do by FEBio's own insertion.
+/// Tests that blocks are inserted into the profile of FEBio's matrix as by FEBio's own insertion.
 #include "solver/febio/matrix_profile.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ SparseMatrixProfile diagonal() {
   return profile;
 }
 
-/// The equations of some nodes, three each, in random order; every fourth is left out.
+/// The equations of some nodes, three each, in random order; every fourth is missing.
 std::vector<int> random_block(std::mt19937& random) {
   std::uniform_int_distribution<int> node(0, equations / 3 - 1);
   std::vector<int> block;

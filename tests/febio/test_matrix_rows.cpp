@@ -1,5 +1,4 @@
-/// Blocks go to the same places of FEBio's matrix, with the same sums, as by FEBio's own assembly, whatever the number
-/// of threads.
+/// Tests that blocks are added to FEBio's matrix as by FEBio's own assembly, for any number of threads.
 #include "solver/febio/matrix_rows.h"
 
 #include "contact/base/parallel.h"
@@ -26,7 +25,7 @@ using namespace newton;
 
 namespace {
 
-constexpr int equations = 200;  // several threads have rows
+constexpr int equations = 200;  // enough for rows on several threads
 constexpr int left_out = -1;
 
 void use_threads([[maybe_unused]] int threads) {
@@ -36,7 +35,7 @@ void use_threads([[maybe_unused]] int threads) {
 #endif
 }
 
-/// Some of the equations in random order, and some that are left out.
+/// Some equations in random order, and some that are missing.
 std::vector<int> random_equations(std::mt19937& random) {
   std::vector<int> all(equations);
   std::iota(all.begin(), all.end(), 0);
@@ -47,7 +46,7 @@ std::vector<int> random_equations(std::mt19937& random) {
   return all;
 }
 
-/// A matrix whose profile holds the couplings within each list of equations.
+/// Makes a matrix whose profile contains the couplings within each list of equations.
 void form(CRSSparseMatrix& matrix, const std::vector<std::vector<int>>& lists) {
   SparseMatrixProfile profile(equations, equations);
   profile.CreateDiagonal();
@@ -57,18 +56,18 @@ void form(CRSSparseMatrix& matrix, const std::vector<std::vector<int>>& lists) {
   matrix.Zero();
 }
 
-/// Equations of two nodes that couple with all, and a load that depends on the second one and others.
+/// Equations of two nodes that are coupled with all others, and a load that depends on the second node and others.
 const std::vector<int> nodes_and_load{0, 1, 2, 3, 4, 5, 9};
 constexpr int load = 9;
 const std::vector<int> node{3, 4, 5};
-constexpr int lacking = 6;  ///< couples with the first node alone
+constexpr int lacking = 6;  ///< coupled with the first node only
 
 MatrixXd entries_of(CRSSparseMatrix& matrix, int count) {
   return MatrixXd::NullaryExpr(count, count,
                                [&](Index i, Index j) { return matrix.get(static_cast<int>(i), static_cast<int>(j)); });
 }
 
-/// With these entries where the profile has places.
+/// Sets the entries that the profile contains.
 void fill(CRSSparseMatrix& matrix, const MatrixXd& values) {
   for (int i = 0; i < values.rows(); ++i) {
     for (int j = 0; j < values.cols(); ++j) {
@@ -77,7 +76,7 @@ void fill(CRSSparseMatrix& matrix, const MatrixXd& values) {
   }
 }
 
-constexpr int part = 10;  ///< the equations of these tests
+constexpr int part = 10;  ///< number of equations in these tests
 
 }  // namespace
 
@@ -138,7 +137,7 @@ BOOST_AUTO_TEST_CASE(unknowns_are_eliminated_from_a_row_by_their_own) {
     const double bound = 4 * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff() *
                          (1 + before.middleRows<3>(3).cwiseAbs().colwise().sum().maxCoeff());
     BOOST_TEST((after - expected).cwiseAbs().maxCoeff() < bound);
-    // Factors come of three equations by elimination with pivots: of some times that.
+    // The factors come from the elimination of three equations with pivoting, whose error is several times larger.
     BOOST_TEST(after.row(load).segment<3>(3).cwiseAbs().maxCoeff() < 10 * bound);
     BOOST_TEST(before.row(load).segment<3>(3).cwiseAbs().minCoeff() > 10 * bound);
   }
@@ -155,7 +154,7 @@ BOOST_AUTO_TEST_CASE(what_a_row_has_taken_is_taken_back) {
   BOOST_TEST_REQUIRE(operation.has_value());
   BOOST_TEST((entries_of(*matrix, part) != before));
   rows.undo(*operation);
-  // Three products are added and three taken away.
+  // Three products are added and three subtracted.
   const double bound = 6 * std::numeric_limits<double>::epsilon() * before.cwiseAbs().maxCoeff() *
                        (1 + before.middleRows<3>(3).cwiseAbs().colwise().sum().maxCoeff());
   BOOST_TEST((entries_of(*matrix, part) - before).cwiseAbs().maxCoeff() < bound);
@@ -174,7 +173,7 @@ BOOST_AUTO_TEST_CASE(the_backward_error_is_that_of_the_worst_row) {
   solution[2] = 1;
   right[2] = 2;
   BOOST_TEST(rows.backward_error(solution, right) == 0);
-  solution[1] *= 1 + 1e-3;  // 2 x1 - 1e6 x2 = 0 is missed by 1e3, of products that come to 2e6
+  solution[1] *= 1 + 1e-3;  // the error in 2 x1 - 1e6 x2 = 0 is 1e3, relative to products of 2e6
   BOOST_TEST(rows.backward_error(solution, right) == 1e3 / (2e6 + 1e3), boost::test_tools::tolerance(1e-12));
   for (const int unanswered : {0, equations - 1}) {
     std::vector<double> further = right;
@@ -192,8 +191,8 @@ BOOST_AUTO_TEST_CASE(a_row_that_cannot_take_others_is_as_it_was) {
   FEGlobalMatrix global(matrix);
   const MatrixXd before = entries_of(*matrix, part);
   const MatrixRows rows(global);
-  BOOST_TEST(!rows.eliminate({0, 1, 2}, load).has_value());  // it has no place for what they have
-  BOOST_TEST(!rows.eliminate(node, load).has_value());       // two of their rows are one
+  BOOST_TEST(!rows.eliminate({0, 1, 2}, load).has_value());  // the row has no entries in their columns
+  BOOST_TEST(!rows.eliminate(node, load).has_value());       // two of their rows are equal
   BOOST_TEST(!rows.eliminate({}, load).has_value());
   BOOST_TEST((entries_of(*matrix, part) == before));
   matrix->set(4, 4, 1);

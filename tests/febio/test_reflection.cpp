@@ -1,4 +1,5 @@
-/// What FEBio's reflection, and FEBio Studio by it, tells of the contact: the plugin is loaded as febio4 loads it.
+/// Tests the parameters that FEBio's reflection, and therefore FEBio Studio, shows for the contact. The plugin is
+/// loaded as febio4 loads it.
 #include <FECore/FECoreBase.h>
 #include <FECore/FECoreKernel.h>
 #include <FECore/FEModel.h>
@@ -25,7 +26,7 @@ FECoreKernel& kernel_with_plugin() {
   return kernel;
 }
 
-/// Parameters of a class as FEBio creates it, by name.
+/// The parameters of an object that FEBio has created, by name.
 class Reflection {
  public:
   Reflection(SUPER_CLASS_ID kind, const char* type) {
@@ -44,7 +45,7 @@ class Reflection {
   std::unique_ptr<FECoreBase> object_;
 };
 
-/// Whether it is one of FEBio's own base class, which the contact has no use for.
+/// True for a parameter of FEBio's base class that the contact does not use.
 bool is_of_base(const FEParam& parameter) {
   const std::string name = parameter.name();
   return name == "penalty_sf" || name == "max_penalty_sf";

@@ -1,4 +1,5 @@
-/// The plugin fits an FEBio of the release that it was built for, with the same table of functions; no other.
+/// Tests that the plugin fits an FEBio of the release for which it was built, with the same virtual table, and no
+/// other.
 #include "febio/running_febio.h"
 
 #include <boost/test/unit_test.hpp>
@@ -9,7 +10,7 @@ namespace {
 char release_text[] = "4.11.2";
 char* release() { return release_text; }
 
-/// An FEBio whose symbols are told: those of the plugin's own release.
+/// A fake FEBio with the symbols of the release for which the plugin was built.
 class FakeFebio {
  public:
   FakeFebio() {

@@ -1,4 +1,4 @@
-/// Models made in memory: columns of hexahedra along z.
+/// Small models for tests: columns of hexahedra along z.
 #pragma once
 
 #include "standalone/model.h"
@@ -22,7 +22,7 @@ inline Material gel(int fields) {
   return material;
 }
 
-/// Corners of a box of unit cross-section from z = 0 to `height`, `count` elements high; node 4 k + c is corner c at
+/// Nodes of a column of unit cross-section from z = 0 to `height`, `count` elements high. Node 4 k + c is corner c at
 /// level k.
 inline Model column(int fields, int count, double height) {
   Model model;
@@ -45,14 +45,14 @@ inline Model column(int fields, int count, double height) {
   return model;
 }
 
-/// Holds a degree of freedom of some nodes at a value.
+/// Prescribes a value of a degree of freedom at some nodes.
 inline void hold(Model& model, int dof, std::vector<int> nodes, double value) {
   model.prescribed.push_back({dof, std::move(nodes), {value, -1}});
 }
 
 inline std::vector<int> level(int k) { return {4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3}; }
 
-/// Holds the displacements across the column, and along it at its foot.
+/// Prescribes zero displacements across the column, and along it at its lower end.
 inline void confine(Model& model) {
   std::vector<int> all;
   for (int node = 0; node < model.mesh.nodes.cols(); ++node) all.push_back(node);

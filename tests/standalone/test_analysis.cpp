@@ -12,7 +12,7 @@ using namespace test;
 
 namespace {
 
-/// Two unit cubes, one on the other, of which the upper one is moved down by `depth` until t = 1 in one step.
+/// Two unit cubes on top of each other. The upper one is moved down by `depth` until t = 1 in one step.
 Model pressed_cubes(double depth) {
   Model model = column(3, 1, 1);
   model.control.module = "biphasic";
@@ -43,7 +43,7 @@ Model pressed_cubes(double depth) {
   return model;
 }
 
-/// What the log says of a run.
+/// The text of the log of a run.
 std::string log_of(const Model& model) {
   const std::string path = (std::filesystem::temp_directory_path() / "standalone_test_analysis.log").string();
   {
@@ -61,7 +61,8 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-// More than the cubes are high: the attempt to t = 1 fails, and so do those after the first half of the way.
+// The displacement is larger than the height of the cubes: the attempt to t = 1 fails, and so does any step after the
+// first half.
 BOOST_AUTO_TEST_CASE(an_automatic_penalty_is_reduced_after_a_failed_attempt) {
   const std::string log = log_of(pressed_cubes(2.2));
   BOOST_TEST(has(log, "the step to time 1 has failed. The next attempt has automatic penalties"));

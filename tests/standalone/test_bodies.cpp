@@ -10,7 +10,7 @@ namespace {
 
 constexpr double dt = 0.25;
 
-/// A twisted hexahedron with 8 or 20 nodes.
+/// A model of one distorted hexahedron with 8 or 20 nodes.
 Model twisted(int fields, int nodes, std::mt19937& random) {
   Model model = column(fields, 1, 1);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -27,7 +27,7 @@ Model twisted(int fields, int nodes, std::mt19937& random) {
   return model;
 }
 
-/// Largest difference between the tangent and central differences of the residual, over the largest entry of its
+/// Largest difference between the tangent and central differences of the residual, relative to the largest entry of its
 /// column.
 double tangent_error(const Model& model, const Bodies& bodies, const MatrixXd& values) {
   const MatrixXd tangent = bodies.tangent(0, values, dt);
@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(tangents_are_the_derivatives_of_residuals) {
 }
 
 BOOST_AUTO_TEST_CASE(patch_test_linear_fields_are_in_equilibrium) {
-  // One free node inside a cube of eight twisted elements: constant stress and fluxes leave no force on it.
+  // A cube of eight distorted elements has one free node inside. Constant stress and fluxes cause no force on this
+  // node.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1, 1);
   Model model = column(4, 1, 1);
@@ -85,10 +86,10 @@ BOOST_AUTO_TEST_CASE(patch_test_linear_fields_are_in_equilibrium) {
     const VectorXd local = bodies.residual(e, values, dt);
     for (int k = 0; k < 32; ++k) forces(k / 8, bodies.element(e).nodes[static_cast<std::size_t>(k % 8)]) += local[k];
   }
-  BOOST_TEST(forces.rowwise().sum().norm() < 1e-15 + 1e-13 * forces.norm());  // nothing comes from nowhere
+  BOOST_TEST(forces.rowwise().sum().norm() < 1e-15 + 1e-13 * forces.norm());  // forces are in equilibrium
   BOOST_TEST(std::abs(forces(3, 13)) < 1e-14 * forces.row(3).norm());
-  // p varies, so that only the solid's part of the stress is constant: its force is the gradient of p over the node's
-  // volume.
+  // The pressure p varies, so that only the solid's part of the stress is constant. The force is the gradient of p
+  // integrated over the volume of the node.
   values.row(3).setConstant(0.7);
   forces.setZero();
   for (std::size_t e = 0; e < bodies.elements(); ++e) {

@@ -15,7 +15,7 @@ Eigen::Vector3d random_point(std::mt19937& random) {
   return {unit(random), unit(random), unit(random)};
 }
 
-/// Parametric coordinates of a node: where its own shape function is one.
+/// Parametric coordinates of a node: the point at which its own shape function is one.
 Eigen::Vector3d node_position(int nodes, int node) {
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {

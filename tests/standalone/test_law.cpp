@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(without_deformation_flow_follows_darcy_and_fick) {
   BOOST_TEST(state.stress(0, 0) == -gas_energy * material.osmotic * solute.solubility * 2.0,
              boost::test_tools::tolerance(1e-13));
   BOOST_TEST(state.content == 0.8 * solute.solubility * 2.0, boost::test_tools::tolerance(1e-13));
-  q(1, 3) = -gas_energy * solute.solubility * hindrance;  // keeps the solvent at rest while the solute spreads
+  q(1, 3) = -gas_energy * solute.solubility * hindrance;  // keeps the solvent at rest while the solute diffuses
   q(1, 4) = 1.0;
   flow<double>(material, gas_energy, q, state);
   BOOST_TEST(std::abs(state.solvent_flux[0]) < 1e-18);

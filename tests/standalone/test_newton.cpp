@@ -8,10 +8,10 @@ using namespace test;
 
 namespace {
 
-/// Terms of the Fourier series below that are summed.
+/// Number of terms of the Fourier series below.
 constexpr int terms = 400;
 
-/// Solves equal steps to `end` and returns the final nodal values.
+/// Solves equal steps up to `end`. Returns the final nodal values.
 MatrixXd solve(const Model& model, double end, int steps) {
   Log quiet(false);
   Problem problem(model);
@@ -20,15 +20,16 @@ MatrixXd solve(const Model& model, double end, int steps) {
   return problem.values();
 }
 
-/// u(H)/h of a layer after a step load P0, impermeable below: (P0/H_A) [1 - 2/pi^2 SUM (n+1/2)^-2 exp(-(n+1/2)^2 pi^2
-/// tau)].
+/// Settlement u(H)/h of a layer after a step load P0 with an impermeable base: (P0/H_A) [1 - 2/pi^2 SUM (n+1/2)^-2
+/// exp(-(n+1/2)^2 pi^2 tau)].
 double consolidation(double tau) {
   double sum = 0;
   for (int n = 0; n < terms; ++n) sum += std::pow(n + 0.5, -2) * std::exp(-std::pow((n + 0.5) * M_PI, 2) * tau);
   return 1 - 2 / (M_PI * M_PI) * sum;
 }
 
-/// c/c* at height z of a layer of height 1 that is impermeable at z = 1 and at c* at z = 0, at tau = d t/h^2.
+/// Concentration c/c* at height z of a layer of height 1 that is impermeable at z = 1 and has c* at z = 0, at tau = d
+/// t/h^2.
 double diffusion(double z, double tau) {
   double sum = 0;
   for (int n = 0; n < terms; ++n)
@@ -53,7 +54,7 @@ Model consolidation_model(int elements, double load) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_loaded_layer_consolidates_as_mow_and_others_1980_say) {
-  const double load = 1e-5;  // so small that strains are
+  const double load = 1e-5;  // small strains
   const int elements = 20;
   const Model model = consolidation_model(elements, load);
   const double modulus = model.materials[0].modulus;
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE(a_solute_diffuses_as_ficks_law_says) {
 }
 
 BOOST_AUTO_TEST_CASE(newton_converges_quadratically) {
-  // A large confined compression of an elastic column in one step.
+  // Large confined compression of an elastic column in one step.
   Model model = column(3, 4, 1);
   model.control.module = "biphasic";
   confine(model);

@@ -22,7 +22,7 @@ std::string model_text() {
   return text.str();
 }
 
-/// Reads a model from a text, through a file.
+/// Reads a model from a text, by way of a file.
 Model read_text(const std::string& text) {
   const auto path = std::filesystem::temp_directory_path() /
                     ("mixture-contact-test-" + std::to_string(::getpid()) + ".feb");
@@ -40,7 +40,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), by);
 }
 
-/// Number of the line of the model that holds a text.
+/// Number of the line of the model that contains a text.
 int line_of(const std::string& what) {
   const std::string text = model_text();
   return 1 +
@@ -48,9 +48,9 @@ int line_of(const std::string& what) {
 }
 
 struct Mistake {
-  std::string what, by;  ///< the mistake
-  std::string tag;       ///< that the message must name
-  std::string said;      ///< what else it must say
+  std::string what, by;  ///< text and its faulty replacement
+  std::string tag;       ///< tag in the message
+  std::string said;      ///< further text in the message
 };
 
 const std::vector<Mistake> mistakes{
@@ -111,12 +111,12 @@ const std::vector<Mistake> mistakes{
     {"version=\"4.0\"", "version=\"3.0\"", "febio_spec", "4.0"},
 };
 
-/// What a random change of the text brings in.
+/// Texts that a random change inserts.
 const std::vector<std::string> scraps{
     "",   "0",  "-1",   "1e308", "-1e308", "nan",  "999999999999", "2147483647", "<",   ">",    "\"", "&",
     "/>", "--", "\xff", ",,",    "<a>",    "</a>", "lc",           "1e-320",     "]]>", "<!--", "=",  ";"};
 
-/// The text with up to four random changes: characters, words, whole lines or scraps.
+/// The text with up to four random changes: of characters, words, whole lines, or insertions of scraps.
 std::string mutated(std::string text, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   for (std::size_t changes = 1 + below(4); changes > 0 && !text.empty(); --changes) {
@@ -128,12 +128,12 @@ std::string mutated(std::string text, std::mt19937& random) {
       case 1:
         text.replace(at, below(20), scraps[below(scraps.size())]);
         break;
-      case 2: {  // a number becomes another
+      case 2: {  // replaces a number
         const std::size_t digit = text.find_first_of("0123456789", at);
         if (digit != std::string::npos) text.replace(digit, 1, scraps[below(8)]);
         break;
       }
-      case 3: {  // a line goes, or comes twice
+      case 3: {  // deletes or repeats a line
         const std::size_t from = text.rfind('\n', at) + 1;
         const std::size_t length = std::min(text.find('\n', at), text.size() - 1) - from + 1;
         const std::string line = text.substr(from, length);
@@ -151,7 +151,7 @@ std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
-/// Takes the first step of a model, as far as it goes.
+/// Solves the first step of a model as far as possible.
 void try_step(const Model& model) {
   Log quiet(false);
   Problem problem(model);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-/// One displacement (dof 0) and one concentration (dof 1) at each of some nodes; the equations are those of node 0,
-/// then those of node 1, and so on. The residual and the matrix are what a test says.
+/// A model with one displacement (dof 0) and one concentration (dof 1) at each node. The equations are ordered by
+/// nodes. Tests set the residual and the matrix.
 class FakeSolver : public newton::Solver {
  public:
   using Place = newton::Place;
@@ -24,7 +24,7 @@ class FakeSolver : public newton::Solver {
     is_inverted = [](const std::vector<double>& /*values*/) { return false; };
   }
 
-  // ------------------------------------------------------------ what tests set and look at
+  // ------------------------------------------------------------ data of the tests
 
   bool newton = true;
   bool clamps = false;
@@ -45,12 +45,12 @@ class FakeSolver : public newton::Solver {
   std::function<bool(const std::vector<double>& values)> is_inverted;
   mutable std::vector<std::string> lines;
   std::vector<double> total, change, increment, load, prescribed_load;
-  std::vector<double> totals;  ///< of the convergence tests
+  std::vector<double> totals;  ///< totals of the convergence tests
   std::function<void()> on_restore;
 
   const std::vector<double>& values() const { return state_.values; }
 
-  /// A step as the solver makes it: prepared, solved with this change, ended.
+  /// The three functions make a step as a solver does: start, solution with a change, end.
   void begin_step() {
     state_.previous = state_.values;
     std::fill(change.begin(), change.end(), 0.0);
@@ -77,7 +77,7 @@ class FakeSolver : public newton::Solver {
   double previous_value(Place place) const override { return indexing::at(state_.previous, index(place)); }
   newton::Vectors vectors() override { return {total, change, increment, load, prescribed_load}; }
 
-  /// Free values become total + change + increment, negative concentrations 0 with the clamp.
+  /// Sets free values to total + change + increment; with the clamp, negative concentrations become 0.
   void update(std::vector<double>& by) override {
     for (int n = 0; n < 2 * nodes_; ++n) {
       double& value = indexing::at(state_.values, n);

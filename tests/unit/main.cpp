@@ -1,3 +1,4 @@
-// The test runner, compiled once for all test_*.cpp: Boost.Test header-only takes ten seconds to compile.
+// The test runner. It is compiled once for all test_*.cpp, because the header-only Boost.Test takes ten seconds to
+// compile.
 #define BOOST_TEST_MODULE contact_core
 #include <boost/test/included/unit_test.hpp>

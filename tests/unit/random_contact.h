@@ -31,11 +31,11 @@ inline constexpr bool sanitized = true;
 inline constexpr bool sanitized = false;
 #endif
 
-/// Pairs of facet types, a primary and a secondary one: each of `ones` with each of `twos`.
+/// Pairs of facet types: each primary type of `ones` with each secondary type of `twos`.
 ///
-/// A sanitizer needs fewer, since it looks at memory and not at values: what is read and written on one side depends on
-/// the type there, and what both share is largest for the last of both. A sanitized build takes each type once on each
-/// side, with triangles and quadrilaterals mixed, and that largest pair.
+/// A sanitized build has fewer pairs, because a sanitizer tests memory and not values. Memory that belongs to one side
+/// depends on the type of that side only, and shared memory is largest for the last pair. The build has each type once
+/// on each side, with triangles and quadrilaterals mixed, and the last pair.
 template <std::size_t N, std::size_t M>
 std::vector<std::pair<FacetType, FacetType>> facet_pairs(const std::array<FacetType, N>& ones,
                                                          const std::array<FacetType, M>& twos) {
@@ -53,8 +53,8 @@ std::vector<std::pair<FacetType, FacetType>> facet_pairs(const std::array<FacetT
 
 inline std::vector<std::pair<FacetType, FacetType>> facet_pairs() { return facet_pairs(all_facets, all_facets); }
 
-/// Step of a central difference of a function of size 1 that varies over a length of 1: the truncation error step^2 and
-/// the rounding error epsilon/step are equal at step = epsilon^(1/3); the error is then about epsilon^(2/3) = 4e-11.
+/// Step of a central difference of a function of size 1 that varies over a length of 1. The truncation error step^2 and
+/// the rounding error epsilon/step are equal at step = epsilon^(1/3), where the error is about epsilon^(2/3) = 4e-11.
 inline const double difference_step = std::cbrt(std::numeric_limits<double>::epsilon());
 
 /// Central-difference derivative of a vector function, shape (rows, x.size()).
@@ -71,25 +71,25 @@ inline MatrixXd differences(const std::function<VectorXd(const VectorXd&)>& func
   return derivative;
 }
 
-/// The same without the truncation error of second order (Richardson): for functions that vary over lengths l well
-/// below 1 it leaves an error of (step/l)^4.
+/// Central-difference derivative without the truncation error of second order (Richardson extrapolation). For functions
+/// that vary over lengths l well below 1, the error is (step/l)^4.
 inline MatrixXd fine_differences(const std::function<VectorXd(const VectorXd&)>& function, const VectorXd& x) {
   return (4 * differences(function, x, 0.5 * difference_step) - differences(function, x)) / 3;
 }
 
-/// Bound on the relative error of such a difference: with third derivatives up to 1e3 times the first (facets of size 1
-/// with slopes and curvatures up to 1, whose powers multiply) it is 1e3 step^2 / 6 + epsilon / step = 6e-9, and 1e-7 is
-/// asked for.
+/// Bound on the relative error of a central difference. Third derivatives are up to 1e3 times the first (facets
+/// of size 1 with slopes and curvatures up to 1, whose powers multiply). The error is then 1e3 step^2/6 + epsilon/step
+/// = 6e-9; the bound is 1e-7.
 inline constexpr double difference_tolerance = 1e-7;
 
-/// A sum of a few dozen terms of size 1, each the outcome of about a dozen operations, is exact to this.
+/// Rounding error of a sum of a few dozen terms of size 1, each the result of about a dozen operations.
 inline constexpr double rounding = 500 * std::numeric_limits<double>::epsilon();
 
 inline double relative_error(const MatrixXd& value, const MatrixXd& reference) {
   return (value - reference).norm() / reference.norm();
 }
 
-/// A point in the domain of a facet.
+/// A random point inside a facet, in parametric coordinates.
 inline Vector2d random_inside(FacetType type, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const Vector2d square(unit(random), unit(random));
@@ -108,7 +108,7 @@ inline VectorXd random_values(Index size, double low, double high, std::mt19937&
   return VectorXd::NullaryExpr(size, [&] { return value(random); });
 }
 
-/// A facet in the plane z = 0 that faces up, of size 1 to 2, with every node displaced at random by up to `noise`.
+/// A facet in the plane z = 0 that faces upwards, of size 1 to 2. Each node is displaced at random by up to `noise`.
 inline FacetCoordinates random_facet(FacetType type, double noise, std::mt19937& random) {
   FacetCoordinates x(3, node_count(type));
   for (int a = 0; a < node_count(type); ++a) {
@@ -171,7 +171,7 @@ struct RandomContact {
     return values;
   }
 
-  /// Where the primary normal at xi meets the secondary facet.
+  /// The intersection of the primary normal at xi with the secondary facet.
   RayHit projection(const VectorXd& q) const {
     const FacetCoordinates x1 = coordinates(q, true);
     const ShapeFunctions shape = shape_functions(primary, xi);
@@ -218,7 +218,7 @@ struct RandomContact {
     return tangent(point, loads(point, q), q);
   }
 
-  /// All rows and columns, put together from those of each effect.
+  /// The complete tangent, assembled from the blocks of all effects.
   MatrixXd tangent(const PointKinematics& point, const PointLoads& loads, const VectorXd& q) const {
     const KinematicVariations vary = kinematic_variations(point);
     const LocalLayout solid(layout.primary_nodes(), layout.nodes() - layout.primary_nodes(), 0);
@@ -238,7 +238,8 @@ struct RandomContact {
     return all;
   }
 
-  /// Where the entries of a part of the layout stand in all of it: displacements, and field k unless that is negative.
+  /// Positions of the entries of a part of the layout in the complete layout: displacements, and field k unless k is
+  /// negative.
   std::vector<Index> entries(const LocalLayout& part, Index k) const {
     std::vector<Index> result(static_cast<std::size_t>(part.size()));
     for (Index node = 0; node < layout.nodes(); ++node) {

@@ -13,7 +13,7 @@
 
 namespace test {
 
-/// A rectangle in a plane z = const, divided into cells of one quadrilateral or two triangles.
+/// A rectangle in a plane z = const, divided into cells of one quadrilateral or two triangles each.
 struct Grid {
   FacetType type = FacetType::quad4;
   int cells_x = 2;
@@ -24,7 +24,7 @@ struct Grid {
   bool faces_up = true;
 };
 
-/// A surface with properties that are the same everywhere, and its nodes' positions.
+/// A surface with uniform properties, and the positions of its nodes.
 struct GridSurface {
   SurfaceMesh mesh;
   Matrix3Xd position;
@@ -44,8 +44,8 @@ inline std::vector<CellPart> cell_parts(FacetType type) {
 
 inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness = 1, double conductance = 1) {
   GridSurface surface;
-  constexpr int places = 6;                    // per cell and direction: nodes lie at halves and thirds
-  std::map<std::pair<int, int>, int> numbers;  // of the nodes, by their place
+  constexpr int places = 6;                    // number per cell and direction; nodes are at halves and thirds
+  std::map<std::pair<int, int>, int> numbers;  // numbers of the nodes, by their position in the grid
   std::vector<Vector3d> positions;
   const auto node_at = [&](const Vector2d& half_cells) {
     const Vector2d exact = half_cells * places / 2;
@@ -53,7 +53,7 @@ inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness =
     const auto [entry, added] = numbers.insert({place, static_cast<int>(numbers.size())});
     if (added) {
       Vector2d share(place.first / (1.0 * places * grid.cells_x), place.second / (1.0 * places * grid.cells_y));
-      if (!grid.faces_up) share[0] = 1 - share[0];  // a mirror image turns the normals round
+      if (!grid.faces_up) share[0] = 1 - share[0];  // a mirror image has the opposite normals
       const Vector2d flat = grid.low + share.cwiseProduct(grid.high - grid.low);
       positions.emplace_back(flat[0], flat[1], grid.z);
     }
@@ -85,7 +85,7 @@ inline GridSurface grid_surface(const Grid& grid, int fields, double stiffness =
   return surface;
 }
 
-/// The solvent, if asked for, and solutes with the ids 0, 1, ...
+/// The solvent, if `solvent` is true, and solutes with the ids 0, 1, ...
 inline Effects effects_of(bool solvent, int solutes) {
   Effects effects;
   effects.solvent = solvent;
@@ -93,7 +93,7 @@ inline Effects effects_of(bool solvent, int solutes) {
   return effects;
 }
 
-/// Two surfaces, the fields on them, and how they touch.
+/// Two surfaces with their fields, and the settings of their contact.
 struct Scene {
   PerSide<SurfaceMesh> mesh;
   PerSide<SurfaceFields> fields;
@@ -111,12 +111,12 @@ struct Scene {
 
   PerSide<Matrix3Xd> position() const { return {{fields[Side::primary].position, fields[Side::secondary].position}}; }
 
-  /// Nodes of both surfaces, none of which is one of a rigid body.
+  /// Flags of the nodes of both surfaces, all false.
   PerSide<NodeFlags> nowhere() const {
     return {{NodeFlags(mesh[Side::primary].nodes, false), NodeFlags(mesh[Side::secondary].nodes, false)}};
   }
 
-  /// Displaces every node at random by up to `size`, and gives every field random values between -1 and 1.
+  /// Displaces every node at random by up to `size`, and sets every field to random values between -1 and 1.
   void disturb(double size, std::mt19937& random) {
     for (SurfaceFields& field : fields) {
       for (Index node = 0; node < field.position.cols(); ++node)
@@ -126,13 +126,13 @@ struct Scene {
     }
   }
 
-  /// Gives a field one value on each side.
+  /// Sets a field to one value on each side.
   void set_field(Index field, double primary, double secondary) {
     fields[Side::primary].scalar.col(field).setConstant(primary);
     fields[Side::secondary].scalar.col(field).setConstant(secondary);
   }
 
-  /// The contact, projected at the scene's positions.
+  /// The contact of the scene, projected at the scene's positions.
   std::unique_ptr<ContactInterface> contact() const {
     auto result = std::make_unique<ContactInterface>(mesh, effects, settings);
     result->project(position());
@@ -140,7 +140,7 @@ struct Scene {
   }
 };
 
-/// As if a step had been accepted with larger loads than any to come, and with all nodes flux-coupled.
+/// Makes a contact behave as if a step had been accepted with infinite loads, and with all nodes flux-coupled.
 inline void accept_any_load(ContactInterface& contact) {
   for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
     Multipliers& multipliers = contact.pass(pass).laws().multipliers;
@@ -153,7 +153,7 @@ inline bool is_converged(const ContactInterface& contact, const GapReport& repor
   return meets(report, contact.settings().tolerances, contact.effects());
 }
 
-/// Facing unit squares (or other rectangles), the secondary one `overlap` deep in the primary one.
+/// Facing unit squares that overlap by `overlap`.
 inline PerSide<Grid> facing_grids(FacetType one, FacetType two, double overlap, int cells_one = 2, int cells_two = 2) {
   Grid primary{one, cells_one, cells_one};
   Grid secondary{two, cells_two, cells_two};
@@ -162,7 +162,7 @@ inline PerSide<Grid> facing_grids(FacetType one, FacetType two, double overlap, 
   return {{primary, secondary}};
 }
 
-/// Two surfaces of triangles on each other, not quite parallel, with random fields, whose pairs are all flat.
+/// Two almost parallel surfaces of triangles with random fields, all of whose pairs are flat.
 inline Scene flat_scene(const Effects& exchanged) {
   Settings settings;
   settings.integration = Integration::segments;
@@ -177,14 +177,14 @@ inline Scene flat_scene(const Effects& exchanged) {
   return scene;
 }
 
-/// Turns a surface about the z axis through the middle of the unit square.
+/// Rotates a surface about the z axis through the middle of the unit square.
 inline void turn(Matrix3Xd& position, double angle) {
   const Vector3d middle(0.5, 0.5, 0);
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
   position = (rotation * (position.colwise() - middle)).colwise() + middle;
 }
 
-/// Explicit penalties, so that loads are known.
+/// Settings with these penalties, for known loads.
 inline Settings explicit_settings(double traction, double solvent, double solute) {
   Settings settings;
   settings.traction = {false, traction};
@@ -194,14 +194,14 @@ inline Settings explicit_settings(double traction, double solvent, double solute
   return settings;
 }
 
-/// The same settings with a search radius [length], for surfaces that are farther apart than facets look by themselves.
+/// Settings with a search radius [length], for surfaces that are farther apart than the default search distance.
 inline Settings looking_as_far_as(double radius, Settings settings) {
   settings.search.radius = radius;
   return settings;
 }
 
-/// Numbering of all unknowns of a scene: primary nodes first, each with its displacements and its fields; then the
-/// multipliers, where they are unknowns.
+/// The numbering of all unknowns of a scene: primary nodes first, each with its displacements and its fields; then the
+/// multipliers, if they are unknowns.
 struct GlobalLayout {
   PerSide<Index> nodes;
   Index fields;
@@ -215,12 +215,12 @@ struct GlobalLayout {
   Index per_node() const { return 3 + fields; }
   Index nodal_size() const { return (nodes[Side::primary] + nodes[Side::secondary]) * per_node(); }
   Index size() const { return nodal_size() + multipliers.size(); }
-  /// Component 0 to 2: a displacement; 3 + k: field k.
+  /// The entry of an unknown of a node. `component`: 0 to 2 for a displacement, 3 + k for field k.
   Index entry(Side side, Index node, Index component) const {
     return (node + (side == Side::primary ? 0 : nodes[Side::primary])) * per_node() + component;
   }
 
-  /// Global entries of a local vector, in its order.
+  /// The entries of a local vector, in its order.
   std::vector<Index> entries(const ContactInterface::Location& location) const {
     const LocalLayout local = location.patch.layout();
     std::vector<Index> result(static_cast<std::size_t>(local.size()), size());

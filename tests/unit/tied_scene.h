@@ -1,4 +1,4 @@
-/// Two surfaces that are tied, with their residual and tangent as a vector and a matrix, for the unit tests.
+/// Two tied surfaces, with their residual and tangent as a vector and a matrix, for the unit tests.
 #pragma once
 
 #include "contact/tie/gap_vector.h"
@@ -14,13 +14,13 @@
 
 namespace test {
 
-/// Entries of the tangent below this are what regularises the rows of unknown multipliers: their penalty is 1e8 of the
-/// stiffness, while broken ones have that of the stiffness itself.
+/// Diagonal entries of unknown multipliers below this value are regularisation: their penalty is 1e8 times the
+/// stiffness, while that of broken nodes is the stiffness itself.
 inline constexpr double regularisation = 1e-5;
 
 inline constexpr double dt = 0.5;
 
-/// Two surfaces with a gap between them, whose nodes are then displaced at random.
+/// Two surfaces with a gap between them, and their tie, which is made before tests displace the nodes.
 struct TiedScene {
   Scene scene;
   std::unique_ptr<Tie> tie;
@@ -109,11 +109,11 @@ inline VectorXd difference_along(TiedScene& tied, const VectorXd& q, const Vecto
   return (tied.residual(q + step * direction) - tied.residual(q - step * direction)) / (2 * step);
 }
 
-/// Compares the tangent with differences along directions that move all unknowns at once, so that each entry counts.
+/// Compares the tangent with differences along random directions that change all unknowns at once.
 inline void check_tangent(TiedScene& tied, std::mt19937& random) {
   const VectorXd q = tied.pack();
   MatrixXd tangent = tied.tangent();
-  // What regularises the rows of unknown multipliers belongs to no residual.
+  // The regularisation of the rows of unknown multipliers is not in the residual.
   for (Index n = tied.nodal_size(); n < tied.size(); ++n) {
     if (std::abs(tangent(n, n)) < regularisation) tangent(n, n) = 0;
   }
@@ -131,7 +131,7 @@ inline void turn_about(SurfaceFields& fields, const Eigen::Matrix3d& rotation) {
   fields.position = rotation * fields.position;
 }
 
-/// Moment of the forces on all nodes.
+/// The moment of the forces on all nodes.
 inline Vector3d moment_of(TiedScene& tied) {
   const VectorXd q = tied.pack();
   const VectorXd r = tied.residual(q);

@@ -1,10 +1,12 @@
-"""A comment of a header can be read without the one before it: it names its subject."""
+"""A comment of the plugin can be read without the one before it: it names its subject."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from pathlib import Path
+
+import pytest
 
 PLUGIN = Path(__file__).resolve().parents[2] / "plugin"
 COMMENT = re.compile(r"^ *///? ?(?P<words>.*)$")
@@ -28,9 +30,11 @@ def leaning(text: str) -> list[str]:
     return [words for words in openings(text) if LEANS.match(words)]
 
 
-def test_comments_of_headers_name_their_subject() -> None:
-    texts = {path.relative_to(PLUGIN).as_posix(): path.read_text(encoding="utf-8") for path in PLUGIN.rglob("*.h")}
-    assert sum(len(list(openings(text))) for text in texts.values()) > 1000
+@pytest.mark.parametrize(("suffix", "least"), [("h", 1000), ("cpp", 300)])
+def test_comments_name_their_subject(suffix: str, least: int) -> None:
+    paths = PLUGIN.rglob(f"*.{suffix}")
+    texts = {path.relative_to(PLUGIN).as_posix(): path.read_text(encoding="utf-8") for path in paths}
+    assert sum(len(list(openings(text))) for text in texts.values()) > least
     found = [f"{name}: {words}" for name, text in texts.items() for words in leaning(text)]
     assert sorted(found) == []
 

@@ -127,3 +127,12 @@ def test_comments_of_a_header_follow_the_rules_on_subjects_and_words():
         "a noun in place of 'what'",
         "'told' is no word of the field",
     ]
+
+
+@pytest.mark.parametrize("suffix", [".h", ".cpp"])
+def test_comments_of_headers_and_sources_are_checked(suffix, tmp_path):
+    path = tmp_path / f"pair{suffix}"
+    path.write_text(HEADER, encoding="utf-8")
+    assert len(check.findings(str(path), RULES)) == len(
+        list(check.objections(check.comments_of_cpp(HEADER), of_comments()))
+    )

@@ -7,7 +7,8 @@
 namespace mixture_contact {
 namespace {
 
-/// The changed status; of the nodes that have changed more often than `most`, the first alone changes.
+/// The changed status, restricted for cycling nodes: only the first of the nodes that have changed more often than
+/// `most` changes.
 NodeFlags with_first_repeated(const NodeFlags& before, NodeFlags status, const IndexedVector<int>& changes, int most) {
   bool is_first = true;
   for (Index node = 0; node < status.count(); ++node) {
@@ -19,7 +20,7 @@ NodeFlags with_first_repeated(const NodeFlags& before, NodeFlags status, const I
 
 double largest_of(const NodalLoads& loads) { return loads.traction.cwiseAbs().maxCoeff(); }
 
-/// Whether a node that slides comes out to slide the other way.
+/// True if a sliding node is predicted to slide in the opposite direction.
 bool slides_back(const NodalLoads& predicted, Index node) {
   return predicted.slips[node] && predicted.friction.trial.col(node).dot(predicted.friction.reference_of(node)) < 0;
 }
@@ -30,7 +31,7 @@ NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   const double touch = options_.touch_fraction * now.size;
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
-    // Surfaces that exchange no traction touch whatever the penalty.
+    // Surfaces without traction are in contact by their gaps, for any penalty.
     const double penalty = laws_.effects().traction ? laws_.traction_penalty(node) : laws_.penalties().stiffness[node];
     const LawValue trial = augmented(laws_.multipliers.traction[node], penalty, now.gap[node]);
     status.push_back(may_close(node) && now.faces(node) && laws_.normal().begins(trial, touch));
@@ -135,7 +136,7 @@ NodeFlags ActiveSet::initial_slip(const NodalLoads& now) const {
   NodeFlags slips = laws_.beyond_bound(now);
   const Multipliers& last = laws_.multipliers;
   for (Index node = 0; node < slips.count(); ++node) {
-    // One without friction slid where nothing pressed the solids together, or was not in contact.
+    // A node without friction traction had no load between the solids while it slid, or was not in contact.
     const bool is_known = last.slips[node] || !last.friction.col(node).isZero(0);
     if (now.in_contact[node] && is_known) slips[node] = last.slips[node];
   }
@@ -149,7 +150,7 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
     if (!predicted.in_contact[node]) continue;
     const bool pulled = !laws_.normal().stays(predicted.traction[node], 0);
     const double bound = laws_.rubbing(predicted, node);
-    if (pulled || !(bound > 0)) {  // nothing holds it
+    if (pulled || !(bound > 0)) {  // no load holds the node
       slips[node] = true;
       continue;
     }

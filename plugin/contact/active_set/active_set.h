@@ -1,4 +1,4 @@
-/// The active set: which nodes are in contact. It decides status and nothing else.
+/// The active set: the decision which nodes are in contact, stick and slide.
 #pragma once
 
 #include "conditions/nodal_laws.h"
@@ -7,71 +7,75 @@
 
 namespace mixture_contact {
 
-/// All constants of the active set, each with its reason.
+/// The constants of the active set, each with its reason.
 struct ActiveSetOptions {
-  /// Tractions below this part of the largest one do not decide: they are rounding and the remainder of Newton's
-  /// method.
+  /// Tractions below this fraction of the largest one do not change a status: they are rounding and the remaining error
+  /// of Newton's method.
   double negligible_traction = 1e-6;
-  /// Surfaces closer than this part of their size touch to rounding.
+  /// Surfaces with gaps below this fraction of their size touch within rounding.
   double touch_fraction = 1e-10;
-  /// A node whose status changes more often within a time step is at the edge of contact: it has closed, opened and
-  /// closed again. The limit also holds for nodes that face contact.
+  /// A node whose status changes more often than this within a time step is at the edge of contact: it has closed,
+  /// opened and closed again. The limit also holds for nodes of the secondary surface that face contact.
   int most_status_changes = 3;
-  /// Nodes that have changed more often than this within a time step cycle: from then on these change one at a time,
-  /// and all others together.
+  /// Nodes that have changed more often than this within a time step cycle. Only one of them then changes in an
+  /// iteration, together with all nodes that do not cycle.
   int most_joint_changes = 2 * most_status_changes;
-  /// A node of the other surface is in contact if the interpolated contact of its opposite nodes reaches this share: a
-  /// half, the middle between contact and no contact, less rounding.
+  /// A node of the secondary surface is in contact if the contact status that is interpolated from the opposite primary
+  /// nodes reaches this value: the middle between contact (1) and no contact (0), minus rounding.
   double contact_share = 0.5 - 1e-9;
-  /// Loads that differ by less than this part of the largest one are equal: averages around nodes sum up rounding of
-  /// this size. A larger difference requires another evaluation of the residual.
+  /// Loads that differ by less than this fraction of the largest one count as equal: nodal averages have rounding
+  /// errors of this size. A larger difference requires another evaluation of the residual.
   double same_load = 1e-9;
-  /// A node keeps stick or slip while the trial friction is this near to the bound, as a part of the largest one: the
-  /// remainder of Newton's method, as negligible_traction.
+  /// A node keeps its status stick or slip while the trial friction differs from the bound by less than this fraction
+  /// of the largest bound. It is the remaining error of Newton's method, as for negligible_traction.
   double friction_band = 1e-6;
-  /// The friction band of a node that has changed between stick and slip more often than most_status_changes within a
-  /// time step: it is at the edge of sliding, where both laws agree. The band equals the error that a solution may have
-  /// in its loads.
+  /// The friction band, as friction_band, of a node that has changed between stick and slip more often than
+  /// most_status_changes within a time step. Such a node is at the edge of sliding, where both laws agree. The band
+  /// equals the error that the loads of a solution may have.
   double edge_friction_band = 1e-2;
-  /// Loads of the linearised laws are those of a solution if they differ from those of the true laws by less than this
-  /// part of the largest one. The size is a choice without derivation.
+  /// Loads of the linearised laws count as those of a solution if they differ from those of the true laws by less than
+  /// this fraction of the largest one. The size is a choice without derivation.
   double solution_load = 1e-2;
-  /// The next iteration keeps a linearisation if its correction has left less than this part of the error of the loads.
-  /// The size is a choice: corrections that converge leave a tenth each.
+  /// The next iteration keeps a linearisation if its correction has reduced the error of the loads to less than this
+  /// fraction. The size is a choice: corrections that converge leave about a tenth.
   double most_left = 0.5;
-  /// The largest number of nodes that may change their status against the linearisation of a matrix in its first
-  /// iteration: each takes the host a back substitution, and together they save an iteration. The size is a choice
-  /// above the fifty nodes of a joint of tetrahedra at its first load.
+  /// The largest number of nodes whose status may differ from that in the matrix in its first iteration. Each node
+  /// takes the host one back substitution; together they save an iteration. The size is a choice, slightly above the
+  /// fifty nodes of a joint of tetrahedra at its first load.
   Index most_changed = 60;
-  /// The counterpart of most_changed for an iteration that keeps the matrix: it saves a matrix, which takes as long as
-  /// fifty back substitutions or more. The size is a choice below that.
+  /// The largest number of nodes whose status may differ from that in the matrix in an iteration that reuses the
+  /// matrix. Reuse saves an assembly and factorisation, which take as long as fifty back substitutions or more. The
+  /// size is a choice below that.
   Index most_changed_again = 40;
 };
 
-/// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact stays in contact while its predicted
-/// load is compressive; an open node closes if it overlaps.
+/// Primal-dual active set (Hintermueller, Ito and Kunisch 2002): a node in contact remains in contact while its
+/// predicted load is compressive; an open node closes if it overlaps.
 ///
-/// If the laws bear tension, a node stays in contact as long as it faces the other surface.
+/// If the laws bear tension, a node remains in contact as long as it faces the other surface.
 ///
-/// A node in contact with friction sticks until its trial friction exceeds the bound, and slides until it falls below.
-/// It begins with the status of the last step, or, if it was open, with that of its trial. The iteration also holds
-/// whether the bound is zero: T_max is linear in the unknowns as t_n is, also below zero, which an overlap at the start
-/// of an iteration and a large penalty can cause. The prediction of the iteration decides.
+/// With friction, a node in contact sticks until its trial friction exceeds the bound, and slides until the trial falls
+/// below the bound. It begins with the status of the last step or, if it was open, with that of its trial. The
+/// iteration also decides whether the bound is zero. The formula of T_max is linear in the unknowns and, like t_n, may
+/// be negative after an overlap at the start of an iteration with a large penalty; the prediction of the iteration
+/// counts.
 ///
-/// A node that closes within iterations begins as a node at the start of iterations. A sticking node that is pulled
-/// slides before it opens, because its friction may cause the pull.
+/// A node that closes within the iterations begins in the same way as at the start of iterations. A sticking node in
+/// tension slides before it opens, because its friction may cause the tension.
 ///
-/// Rigid bodies whose nodes would all open stay in contact for one iteration of a step. The first iteration moves them
-/// along chords, which leaves a gap of second order in the rotation, and a body that this contact alone holds has no
-/// other stiffness.
+/// Rigid bodies whose nodes would all open remain in contact for one iteration of a step. The first iteration moves
+/// them along chords, which leaves a gap of second order in the rotation, and a body that only this contact supports
+/// has no other stiffness.
 ///
-/// A node whose status keeps changing is at the edge of contact: it opens with coupled fluxes and closes at the ambient
-/// pressure. Traction and pressure tend to the ambient ones there, and the node is then in contact without coupled
-/// fluxes. Iterations far from a solution may change nodes as often; a solution therefore retries its edge nodes once,
-/// except those that have cycled alone. Nodes may also keep changing together: they pull in contact and overlap when
-/// open. Only the first of such nodes then changes in each iteration. Each node changes a bounded number of times with
-/// others, and then by the least index rule (Murty 1974, Opsearch 11:123-130). This rule terminates if each load grows
-/// with its own gap for any status of the others: a P matrix.
+/// A node whose status keeps changing is at the edge of contact: with coupled fluxes it opens, and at the ambient
+/// pressure it closes. Traction and pressure tend to the ambient ones at the edge, and the node is then in contact
+/// without coupled fluxes. Iterations far from a solution may change nodes as often; a solution therefore retries its
+/// edge nodes once, except those that have cycled alone.
+///
+/// Nodes may also keep changing together, because they are in tension in contact and overlap when open. Only the first
+/// of these nodes then changes in each iteration. Each node changes a limited number of times together with others, and
+/// then by the least index rule (Murty 1974, Opsearch 11:123-130). This rule terminates if each load grows with its own
+/// gap for any status of the other nodes (a P matrix).
 class ActiveSet {
  public:
   /// Keeps a reference to the laws.
@@ -79,95 +83,106 @@ class ActiveSet {
 
   const ActiveSetOptions& options() const { return options_; }
 
-  /// Lets only some nodes close.
+  /// Permits only these nodes to close.
   void restrict_to(NodeFlags nodes) { restriction_ = std::move(nodes); }
   bool is_restricted() const { return restriction_.has_value(); }
 
-  /// Status by the true gaps, before any iteration.
+  /// The contact status from the true gaps, before any iteration.
   NodeFlags initial(const NodalGaps& now) const;
-  /// Whether solutions with the matrix may predict the status of nodes. Fields rule it out: their exchange may open a
-  /// node that would close, or close one that would open, and both may be equilibria. Self-contact rules it out: a fold
-  /// may face other facets at the end of an iteration. Tension rules it out: nodes that may pull do not open.
+  /// True if the status of nodes may be predicted by solutions with the matrix. It is false with exchanged fields:
+  /// their exchange may open a node that would close, or close one that would open, and both may be equilibria. It is
+  /// false with self-contact, because a fold may face other facets at the end of an iteration, and with tension,
+  /// because nodes that bear tension do not open.
   bool may_predict() const;
-  /// Status by the predicted loads of an iteration and the true gaps. `doubt`: the error of predicted tractions; none
-  /// below it decides.
+  /// The contact status from the predicted loads of an iteration and the true gaps. `doubt`: error of the predicted
+  /// tractions; smaller tractions do not change a status [MPa].
   NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
-  /// Nodes that begin an iteration in contact and open within it, given their tractions at its end if they stayed in
-  /// contact [MPa]. Open nodes and unknown tractions have NaN and do not open. `opened`: nodes assumed open in these
-  /// tractions. Nodes whose status keeps changing do not open: they are at the edge of contact, and the next iteration
-  /// decides.
+  /// The nodes in contact at the start of an iteration that open in it. `tractions`: at the end of the iteration if the
+  /// nodes stayed in contact [MPa]; NaN for open nodes and unknown tractions, which do not open. `opened`: nodes
+  /// assumed open for these tractions. Nodes whose status keeps changing do not open: they are at the edge of contact,
+  /// and the next iteration decides.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
-  /// Status at another state within a step, from loads of the last state: nodes that face nothing open, and those that
-  /// overlap close.
+  /// The contact status at another state within a step, from the loads of the last state: nodes that face nothing open,
+  /// and nodes that overlap close.
   ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;
 
-  /// Resets the counts of changes.
+  /// Resets all counts of changes, at the start of iterations.
   void start_counting();
-  /// The status of the next iteration: the updated one, except for cycles. Counts changes if the status before also
-  /// belongs to an iteration.
+  /// The contact status of the next iteration: `updated`, except for nodes that cycle. `counts`: true if the status
+  /// `before` belongs to an iteration, so that changes are counted.
   ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
 
-  /// Whether a solution has nodes at the edge of contact that have to be tried once more: their many changes may come
-  /// from other nodes. Resets all counts, so that the next iteration couples their fluxes again. A node remains at the
-  /// edge if it changed most_status_changes times after the last first change of any node, or was an edge node in the
-  /// last accepted step. Happens at most once after the start of iterations.
+  /// True if a solution has nodes at the edge of contact that have to be tried once more, because other nodes may have
+  /// caused their changes. It then resets all counts, such that the next iteration couples their fluxes again.
+  ///
+  /// A node remains at the edge if it has changed most_status_changes times since the last iteration in which any node
+  /// changed for the first time, or if it was an edge node in the last accepted step. The result is true at most once
+  /// after the start of iterations.
   bool reconsiders_edge(const NodalLoads& solution);
 
-  /// Nodes in contact that slide at the start of iterations.
+  /// The nodes in contact that slide at the start of iterations.
   NodeFlags initial_slip(const NodalLoads& now) const;
-  /// Nodes that slide by the predicted loads of an iteration; loads with friction.
+  /// The nodes that slide according to the predicted loads of an iteration, which have to include friction.
   NodeFlags updated_slip(const NodalLoads& predicted) const;
-  /// Nodes that slide in the next iteration, at the loads `now`: those of updated_slip(), except for cycles; nodes that
-  /// close slide by their own trial. Counts changes.
+  /// The nodes that slide in the next iteration with the loads `now`: those of updated_slip(), except for nodes that
+  /// cycle. Nodes that close slide according to their own trial. Changes are counted.
   NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
-  /// The slip of loads of the last iteration that stays at another state within a step.
+  /// The nodes that slide at another state within a step. Nodes in contact in both keep the slip status of the loads
+  /// `last`.
   NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
 
-  /// Nodes in contact with a positive friction bound at the start of iterations.
+  /// The nodes in contact with a positive friction bound at the start of iterations.
   NodeFlags initial_rubs(const NodalLoads& now) const;
-  /// Nodes with a positive friction bound by the loads that an iteration predicts.
+  /// The nodes with a positive friction bound according to the loads that an iteration predicts.
   NodeFlags updated_rubs(const NodalLoads& predicted) const;
-  /// Nodes with a positive friction bound in the next iteration, at the loads `now`: those of updated_rubs(); nodes
-  /// that close have it by their own loads.
+  /// The nodes with a positive friction bound in the next iteration with the loads `now`: those of updated_rubs(); for
+  /// nodes that close, according to their own loads.
   NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
-  /// The positive bound of loads of the last iteration that stays at another state within a step.
+  /// The nodes with a positive friction bound at another state within a step. Nodes in contact in both keep the status
+  /// of the loads `last`.
   NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;
 
+  /// Memory of the counts [bytes].
   std::size_t memory() const {
     return (changes_.capacity() + repeated_changes_.capacity() + slip_changes_.capacity()) * sizeof(int);
   }
 
  private:
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
-  /// The traction that counts.
+  /// The largest traction that does not change a status [MPa].
   double negligible(double largest_traction, double surface_size) const;
-  /// The band around the bound in which trials do not decide, for nodes at the edge of sliding and for others.
+  /// Widths of the band around the friction bound in which trials do not change a status [MPa].
   struct FrictionBands {
+    /// Half-width of the band for nodes that are not at the edge of sliding [MPa].
     double elsewhere;
+    /// Half-width of the band for nodes at the edge of sliding [MPa].
     double at_edge;
   };
   FrictionBands friction_bands(const NodalLoads& predicted) const;
   double friction_band(const FrictionBands& bands, Index node) const;
-  /// Whether a node reverses its slip without sticking first: by the stiffness of the adjoining elements, reversed
-  /// friction cannot hold it. Happens once in a step; if the node should stick, it sticks in the next iteration.
+  /// True if the slip of a node reverses without sticking first: with the stiffness of the adjoining elements, reversed
+  /// friction could not hold the node. It is true once in a step; a node that should stick does so in the next
+  /// iteration.
   bool turns_round(const NodalLoads& predicted, Index node) const;
-  /// Whether a node was in contact and not flux-coupled in the last accepted step.
+  /// True if a node was in contact and not flux-coupled in the last accepted step.
   bool was_at_edge(Index node) const;
-  /// Counts the changes of an iteration.
+  /// Counts the changes of status in an iteration.
   void count(const NodeFlags& before, const NodeFlags& status);
-  /// Whether all nodes in contact between rigid bodies would open, for the first time in a step.
+  /// True if all nodes in contact between rigid bodies would open, for the first time in a step.
   bool waits(const NodeFlags& before, const NodeFlags& updated);
-  /// Whether a node that is not in contact comes into it.
+  /// True if an open node comes into contact.
   bool closes(const NodalGaps& now, Index node, double negligible) const;
 
   const NodalLaws& laws_;
   ActiveSetOptions options_;
-  std::optional<NodeFlags> restriction_;  ///< nodes that may close; none: all
-  bool has_waited_ = false;               ///< since the iterations began
-  bool has_reconsidered_ = false;         ///< since the iterations began
-  IndexedVector<int> changes_;            ///< of each node's status since the iterations began
-  IndexedVector<int> repeated_changes_;   ///< those after the last iteration with a first change of any node
-  IndexedVector<int> slip_changes_;       ///< the same between stick and slip; empty without friction
+  std::optional<NodeFlags> restriction_;  ///< nodes that may close; empty: all
+  bool has_waited_ = false;               ///< true if waits() has been true since the start of iterations
+  bool has_reconsidered_ = false;         ///< true if reconsiders_edge() has been true since the start of iterations
+  IndexedVector<int> changes_;            ///< number of changes of each node's status since the start of iterations
+  /// Number of changes since the last iteration in which any node changed for the first time.
+  IndexedVector<int> repeated_changes_;
+  /// Number of changes between stick and slip since the start of iterations; empty without friction.
+  IndexedVector<int> slip_changes_;
 };
 
 }  // namespace mixture_contact

@@ -1,4 +1,4 @@
-/// Bytes that containers keep.
+/// Memory of containers [bytes].
 #pragma once
 
 #include "base/patch.h"

@@ -1,5 +1,5 @@
-/// The effects that a contact exchanges. Search, residual, tangent, matrix profile, multipliers and log follow this
-/// value.
+/// The effects that a contact exchanges: traction, friction, solvent and solutes. Search, residual, tangent, matrix
+/// profile, multipliers and log depend on them.
 #pragma once
 
 #include "base/indexed_vector.h"
@@ -12,36 +12,45 @@ namespace mixture_contact {
 using FieldMask = std::uint64_t;
 inline constexpr int max_scalar_fields = 64;
 
+/// True if a field is in a set.
 inline bool contains(FieldMask mask, int field) { return (mask >> static_cast<unsigned>(field)) & 1U; }
+/// The set of one field.
 inline FieldMask only(int field) { return FieldMask{1} << static_cast<unsigned>(field); }
 
-/// The load to which friction is in proportion.
+/// The load to which the friction bound is proportional.
 enum class FrictionKind : std::uint8_t {
   none,
-  on_traction,   ///< the traction
-  on_solid_part  ///< its part that the fluid, of both sides or of the one that has it, does not bear
+  on_traction,  ///< the whole normal traction
+  /// The part of the normal traction that the solid bears; the fluid of both sides, or of the side that has one, bears
+  /// the rest.
+  on_solid_part
 };
 
-/// The effects that two surfaces exchange. Scalar fields are counted solvent first (if exchanged),
-/// then solutes.
+/// The effects that two surfaces exchange. Exchanged scalar fields are numbered: first the solvent (if exchanged), then
+/// the solutes.
 struct Effects {
-  bool traction = true;      ///< the surfaces push on each other; false if none of their nodes can move: no unknown
-                             ///< is a displacement then, and contact is linear transport
-  bool solvent = false;      ///< both surfaces are permeable to the solvent
-  std::vector<int> solutes;  ///< host's ids of the solutes that both surfaces share, ascending
-  FrictionKind friction_kind = FrictionKind::none;  ///< where they exchange traction
+  /// True if the surfaces exchange tractions; false if none of their nodes can move: the contact then has no
+  /// displacement unknowns and is linear transport.
+  bool traction = true;
+  bool solvent = false;      ///< true if both surfaces are permeable to the solvent and exchange it
+  std::vector<int> solutes;  ///< the host's ids of the solutes that both surfaces share, ascending
+  FrictionKind friction_kind = FrictionKind::none;  ///< friction where tractions are exchanged
 
   /// Number of exchanged scalar fields.
   int scalar_fields() const { return (solvent ? 1 : 0) + number_of(solutes); }
-  /// Whether there is friction in the steps in which traction is exchanged.
+  /// True if the contact has friction in steps that exchange tractions.
   bool may_rub() const { return friction_kind != FrictionKind::none; }
+  /// True if the contact has friction in the present step.
   bool has_friction() const { return traction && may_rub(); }
-  /// Whether friction depends on the fluid pressure.
+  /// True if the friction bound depends on the fluid pressure in the present step.
   bool has_bearing_fluid() const { return traction && reads_fluid(); }
+  /// True if the friction law reads the fluid pressure.
   bool reads_fluid() const { return friction_kind == FrictionKind::on_solid_part; }
-  /// The scalar field that is the fluid pressure: the exchanged one, or one more that friction alone reads.
+  /// Index of the fluid pressure among the nodal fields: the exchanged field, or an additional one that only friction
+  /// reads.
   int pressure_field() const { return solvent ? 0 : scalar_fields(); }
-  /// Number of scalar fields that nodes have: the exchanged ones, and those that friction reads in addition.
+  /// Number of scalar fields at the nodes: the exchanged ones, and an additional pressure that only friction reads, if
+  /// any.
   int nodal_fields() const { return scalar_fields() + (reads_fluid() && !solvent ? 1 : 0); }
 };
 

@@ -1,4 +1,4 @@
-/// Results that threads compute side by side and one thread takes in order.
+/// Parallel loops whose results one thread uses in ascending order.
 #pragma once
 
 #include "base/parallel.h"
@@ -13,13 +13,13 @@
 
 namespace mixture_contact {
 
-/// Results of a loop in groups that follow each other: any thread makes the next group, one thread uses the groups in
-/// ascending order. Few groups are held at once, so that a used group is still in the cache, and later groups use its
-/// memory again.
+/// The results of a parallel loop in groups of successive indices. Any thread makes the next group; one thread uses the
+/// groups in ascending order. The number of groups in memory is limited: a group is used while it is still in the
+/// cache, and its memory is reused for later groups.
 template <class Result, class Workspace, class Fill, class Use>
 class OrderedResults {
  public:
-  /// Keeps references.
+  /// Keeps references to `fill` and `use`.
   OrderedResults(Index count, int threads, const Result& empty, const Fill& fill, const Use& use)
       : count_(count),
         together_(std::clamp<Index>(count / (least_groups_per_thread * threads), least_together, most_together)),
@@ -30,28 +30,28 @@ class OrderedResults {
         fill_(fill),
         use_(use) {}
 
-  /// The work of the one thread that uses results: it makes some, too, while there are none to use.
+  /// The loop of the thread that uses the results. It also makes results while none is ready to be used.
   void use_all(Workspace& own) {
     run([&] { return used_ < groups_; }, [&] { return use_next() || make_next(own); });
   }
-  /// The work of any other thread.
+  /// The loop of any other thread, which makes results.
   void make_all(Workspace& own) {
     run([&] { return next_ < groups_; }, [&] { return make_next(own); });
   }
-  /// Rethrows one of the exceptions of threads.
+  /// Rethrows an exception that a thread caught, if any.
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
 
  private:
-  /// Results of a group, which one thread makes: neighbours in memory. More take less time to hand over, where there
-  /// are groups enough for threads to end together and the results held are small.
+  /// Limits of the number of results in a group, which are neighbours in memory and made by one thread. Large groups
+  /// have less overhead, if there are enough of them to balance the threads and their results are small.
   static constexpr Index least_together = 8;
   static constexpr Index most_together = sizeof(Result) <= 256 ? 64 : least_together;
   static constexpr Index least_groups_per_thread = 16;
   static constexpr Index groups_per_thread = 4;
 
-  /// Calls `step` until it returns that no work remains, or until a thread has failed.
+  /// Calls `step` while work remains and no thread has failed; `step` returns false if it found nothing to do.
   template <class Remains, class Step>
   void run(const Remains& remains, const Step& step) {
     try {
@@ -63,7 +63,7 @@ class OrderedResults {
     }
   }
 
-  /// Makes a group unless all that may be held at once are.
+  /// Makes the next group. Returns false if there is none, or if the largest number of groups is in memory.
   bool make_next(Workspace& own) {
     Index group = next_;
     do {
@@ -74,7 +74,7 @@ class OrderedResults {
     return true;
   }
 
-  /// Uses the next group if it is made.
+  /// Uses the next group. Returns false if it has not been made.
   bool use_next() {
     const Index group = used_;
     if (made_of(group) != group + 1) return false;
@@ -83,6 +83,7 @@ class OrderedResults {
     return true;
   }
 
+  /// Calls call(index, result) for each result of a group.
   template <class Call>
   void for_each_of(Index group, const Call& call) {
     const Index first = group * together_;
@@ -90,26 +91,29 @@ class OrderedResults {
     for (Index i = first; i < end; ++i) call(i, results_[i % results_.count()]);
   }
 
+  /// The number of the group made last in the slot of this group, plus one.
   std::atomic<Index>& made_of(Index group) { return at(made_, group % held_); }
 
   Index count_;
-  Index together_;  ///< results of a group
+  Index together_;  ///< number of results in a group
   Index groups_;
-  Index held_;  ///< at once
+  Index held_;  ///< largest number of groups in memory
   IndexedVector<Result> results_;
-  std::vector<std::atomic<Index>> made_;  ///< the last group made in the place of each, plus one
-  std::atomic<Index> next_{0};            ///< to be made
-  std::atomic<Index> used_{0};            ///< how many are
+  std::vector<std::atomic<Index>> made_;  ///< per slot in memory: number of the group made last in it, plus one
+  std::atomic<Index> next_{0};            ///< next group to be made
+  std::atomic<Index> used_{0};            ///< number of groups that have been used
   std::atomic<bool> failed_{false};
   std::exception_ptr thrown_;
   const Fill& fill_;
   const Use& use_;
 };
 
-/// Has fill(i, result, workspace) fill results for each i below `count` on several threads, and hands them on, use(i,
-/// result), in ascending order on the calling thread, while the others continue: sums and calls of a host come in the
-/// same order whatever the number of threads. Each thread has a copy of the workspace, and results are first copies of
-/// the empty one, then used results, whose memory serves again. `use` runs on one thread.
+/// Calls fill(i, result, workspace) for each i below `count` on several threads, and use(i, result) in ascending order
+/// of i on the calling thread, while the other threads continue. Sums and callbacks of a host therefore have the same
+/// order for any number of threads.
+///
+/// Each thread has its own copy of the workspace. A result is a copy of `empty` or a used earlier result, whose memory
+/// is reused.
 template <class Workspace, class Result, class Fill, class Use>
 void in_order_with(const Workspace& workspace, const Result& empty, Index count, const Fill& fill, const Use& use) {
   const int threads = thread_count();

@@ -11,7 +11,7 @@
 
 namespace mixture_contact {
 
-/// The number of entries of a container, as an index of Eigen's.
+/// The number of entries of a container as Eigen's index type.
 template <class Container>
 Index count_of(const Container& entries) {
   return static_cast<Index>(entries.size());
@@ -20,7 +20,7 @@ Index count_of(const Container& entries) {
 using indexing::at;
 using indexing::number_of;
 
-/// A std::vector that any integer indexes, so that it is used with matrices without a cast.
+/// A std::vector with operator[] for any integer type, such that Eigen's indices need no cast.
 template <class T>
 class IndexedVector : public std::vector<T> {
  public:
@@ -34,7 +34,7 @@ class IndexedVector : public std::vector<T> {
 
   Index count() const { return count_of(*this); }
 
-  /// Gives this many entries the same value.
+  /// Sets the vector to `count` copies of an entry.
   template <class I>
   void fill(I count, const T& entry) {
     this->assign(static_cast<std::size_t>(count), entry);
@@ -50,13 +50,13 @@ class IndexedVector : public std::vector<T> {
   }
 };
 
-/// The place of an entry in a list; the number of entries where it is missing.
+/// The position of an entry in a list; the number of entries if it is not in the list.
 template <class T>
 Index position_in(const IndexedVector<T>& list, const T& entry) {
   return std::find(list.begin(), list.end(), entry) - list.begin();
 }
 
-/// A yes or no per node of a surface.
+/// One boolean per node of a surface.
 using NodeFlags = IndexedVector<bool>;
 
 inline bool any(const NodeFlags& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }

@@ -1,4 +1,4 @@
-/// Lists of entries side by side in memory: one piece of it for all, not one for each.
+/// Many lists in one contiguous piece of memory.
 #pragma once
 
 #include "base/indexed_vector.h"
@@ -8,7 +8,7 @@
 
 namespace mixture_contact {
 
-/// Entries that follow each other in a container that lives longer.
+/// A view of successive entries of a container, which has to outlive it.
 template <class T>
 class Span {
  public:
@@ -27,13 +27,13 @@ class Span {
   Index count_ = 0;
 };
 
-/// Lists of entries, each in the order in which they were added.
+/// Lists whose entries are stored contiguously, each in the order in which they were added.
 template <class T>
 class Lists {
  public:
   Lists() : first_(1, 0) {}
-  /// Lists, as many as given, filled in any order: for_each(add) calls add(list, entry) for all entries; it is called
-  /// twice, and does the same both times.
+  /// Makes `count` lists. for_each(add) has to call add(list, entry) for all entries, in any order; it is called twice
+  /// and has to do the same both times.
   template <class ForEach>
   Lists(Index count, const ForEach& for_each) : first_(count + 1, 0) {
     for_each([&](Index list, const T& /*entry*/) { ++first_[list + 1]; });
@@ -44,14 +44,15 @@ class Lists {
   }
 
   Index count() const { return first_.count() - 1; }
-  /// Adds a list behind the others.
+  /// Appends a list.
   template <class Entries>
   void add(const Entries& entries) {
     entries_.insert(entries_.end(), entries.begin(), entries.end());
     end_next();
   }
-  /// Adds an entry to the list that is to be the next one, and ends that list.
+  /// Adds an entry to the list that end_next() will append.
   void add_to_next(const T& entry) { entries_.push_back(entry); }
+  /// Appends the list of the entries that add_to_next() has added.
   void end_next() { first_.push_back(entries_.count()); }
   void clear() {
     first_.resize(1);
@@ -62,7 +63,7 @@ class Lists {
   }
 
  private:
-  IndexedVector<Index> first_;  ///< per list the place of its first entry; behind them all, how many entries there are
+  IndexedVector<Index> first_;  ///< per list, index of its first entry; last: the number of all entries
   IndexedVector<T> entries_;
 };
 

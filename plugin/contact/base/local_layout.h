@@ -1,15 +1,16 @@
-/// The layout of a local vector: which entry is which node's displacement, pressure or concentration.
+/// The order of the unknowns in a local vector: displacements, pressures, concentrations and multipliers.
 #pragma once
 
 #include "base/types.h"
 
 namespace mixture_contact {
 
-/// Layout of the unknowns of a pair of facets: node by node (primary nodes first), each with its three displacements,
-/// if any, and then its exchanged scalar fields. No other place in the code knows the order.
+/// The order of the unknowns of a pair of facets: node by node (primary nodes first), each with its three
+/// displacements, if any, and then its exchanged scalar fields. No other code computes such an index.
 ///
-/// Multipliers of one node, where they are unknowns, follow as one more block: that of the traction in place of the
-/// first displacement, those of the fluxes in place of the fields. The places of the other two displacements are void.
+/// Multipliers of one node, if they are unknowns, follow as one more block: the multiplier of the traction takes the
+/// entry of the first displacement, those of the fluxes take the entries of the fields. The entries of the other two
+/// displacements are unused.
 class LocalLayout {
  public:
   LocalLayout(Index primary_nodes, Index secondary_nodes, Index scalar_fields, bool multipliers = false,
@@ -23,14 +24,15 @@ class LocalLayout {
   Index primary_nodes() const { return primary_nodes_; }
   Index nodes() const { return primary_nodes_ + secondary_nodes_; }
   Index scalar_fields() const { return scalar_fields_; }
+  /// Number of unknowns of a node.
   Index per_node() const { return displacements_ + scalar_fields_; }
   bool has_displacements() const { return displacements_ > 0; }
   bool has_multipliers() const { return multipliers_; }
-  /// Nodes, and the block of multipliers.
+  /// Number of blocks: the nodes, plus one for multipliers.
   Index blocks() const { return nodes() + (multipliers_ ? 1 : 0); }
   Index size() const { return blocks() * per_node(); }
 
-  /// Entry of component i (0, 1, 2) of a node's displacement, if there are any.
+  /// Entry of component i (0, 1, 2) of a node's displacement; valid if the layout has displacements.
   Index displacement(Index node, Index i) const { return node * per_node() + i; }
   /// Entry of a node's scalar field k, in the order of Effects.
   Index scalar(Index node, Index k) const { return node * per_node() + displacements_ + k; }
@@ -42,11 +44,11 @@ class LocalLayout {
   Index secondary_nodes_;
   Index scalar_fields_;
   bool multipliers_;
-  Index displacements_;  ///< per node
+  Index displacements_;  ///< displacements per node: 3 or 0
 };
 
-/// Order of all multipliers of a surface, where they are unknowns: node by node, traction first, if any, then the
-/// fields'.
+/// The order of all multipliers of a surface that are unknowns: node by node, first that of the traction, if any, then
+/// those of the fields.
 class MultiplierLayout {
  public:
   MultiplierLayout(Index nodes, Index scalar_fields, bool tractions = true)
@@ -61,7 +63,7 @@ class MultiplierLayout {
 
   Index nodes_;
   Index scalar_fields_;
-  Index tractions_;  ///< per node
+  Index tractions_;  ///< traction multipliers per node: 1 or 0
 };
 
 }  // namespace mixture_contact

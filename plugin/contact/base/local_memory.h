@@ -1,4 +1,4 @@
-/// Memory for objects that live for a short while.
+/// Memory on the stack for short-lived containers.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace mixture_contact {
 
-/// Memory for containers that live no longer than it: so many bytes on the stack, then the heap. Returned memory is
-/// not used again before it ends.
+/// A memory resource for containers that do not outlive it: first `Bytes` bytes on the stack, then the heap. Memory
+/// that containers return is not reused before the resource is destroyed.
 template <std::size_t Bytes>
 class LocalMemory {
  public:

@@ -1,4 +1,4 @@
-/// Loops that OpenMP's threads share, with results that do not depend on the number of threads.
+/// Parallel loops with OpenMP whose results do not depend on the number of threads.
 #pragma once
 
 #include "base/indexed_vector.h"
@@ -10,10 +10,11 @@
 
 namespace mixture_contact {
 
-/// Results of in_batches() that are kept at once: enough to keep threads busy, few enough for the cache.
+/// Number of results that in_batches() keeps at a time: sufficient to occupy all threads, and small enough for the
+/// cache.
 inline constexpr Index batch_size = 512;
 
-/// How many threads share a loop.
+/// Number of threads of a parallel loop.
 inline int thread_count() {
   int threads = 0;
 #ifdef _OPENMP
@@ -23,9 +24,9 @@ inline int thread_count() {
   return threads;
 }
 
-/// Calls body(i, workspace) for each i below `count`, in any order and on several threads, each of which has a copy of
-/// the workspace. A body may write only to the data of i, and leaves the workspace unchanged. Rethrows one of the
-/// exceptions that bodies throw. `together`: how many that follow each other are one thread's.
+/// Calls body(i, workspace) for each i below `count`, in any order and on several threads, each with its own copy of
+/// the workspace. A body may write only to data of index i, and has to leave the workspace unchanged. Rethrows an
+/// exception of a body. `together`: number of successive indices that one thread processes.
 template <Index together = 8, class Workspace, class Body>
 void in_parallel_with(const Workspace& workspace, Index count, const Body& body) {
   std::exception_ptr thrown;
@@ -51,15 +52,14 @@ void in_parallel_with(const Workspace& workspace, Index count, const Body& body)
   if (thrown) std::rethrow_exception(thrown);
 }
 
-/// Calls body(i) for each i below `count`, in any order and on several threads, which have no workspace. A body may
-/// write only to the data of i. Rethrows one of the exceptions that bodies throw. `together`: how many that follow each
-/// other are one thread's.
+/// Calls body(i) for each i below `count`, in any order and on several threads. A body may write only to data of index
+/// i. Rethrows an exception of a body. `together`: number of successive indices that one thread processes.
 template <Index together = 8, class Body>
 void in_parallel(Index count, const Body& body) {
   in_parallel_with<together>(std::monostate(), count, [&](Index i, std::monostate& /*none*/) { body(i); });
 }
 
-/// use(i, make(i)) for each i below `count`. No result is kept: the next one uses its memory again.
+/// Calls use(i, make(i)) for each i below `count` on the calling thread, with one result at a time.
 template <class Make, class Use>
 void one_by_one(Index count, const Make& make, const Use& use) {
   for (Index i = 0; i < count; ++i) {
@@ -68,9 +68,9 @@ void one_by_one(Index count, const Make& make, const Use& use) {
   }
 }
 
-/// Computes make(i) for each i below `count` on several threads, and hands the results on, use(i, make(i)), in
-/// ascending order on the calling thread once many are made: `use` may share its own work among threads. in_order() is
-/// faster if it has little work of its own.
+/// Computes make(i) for each i below `count` on several threads, a batch at a time. After each batch, calls use(i,
+/// result) in ascending order on the calling thread; `use` may therefore run parallel loops itself. in_order() is
+/// faster if `use` has little work.
 template <class Make, class Use>
 void in_batches(Index count, const Make& make, const Use& use) {
   using Result = std::decay_t<std::invoke_result_t<const Make&, Index>>;

@@ -1,4 +1,4 @@
-/// The nodes and fields that a local residual or tangent is about.
+/// The nodes and fields of a local residual or tangent.
 #pragma once
 
 #include "base/indexed_vector.h"
@@ -8,71 +8,76 @@
 
 namespace mixture_contact {
 
-/// Nodes of both surfaces, by their indices within the surface the pass integrates over (primary) and the other
-/// (secondary), and the exchanged fields, as indices into Effects' order, with the layout of local vectors over them;
-/// and the multipliers of a node, where they are unknowns.
+/// The nodes and fields whose unknowns belong to a local vector or matrix, and their layout.
 struct Patch {
+  /// Indices of nodes of the primary surface, over which the pass integrates.
   IndexedVector<int> primary;
+  /// Indices of nodes of the secondary surface.
   IndexedVector<int> secondary;
+  /// Exchanged fields, as indices in the order of Effects.
   IndexedVector<int> fields;
-  std::optional<int> multiplier_node = std::nullopt;  ///< the primary node whose multipliers are unknowns of the patch
-  bool displacements = true;                          ///< whether the nodes' displacements are among the unknowns
+  /// Primary node whose multipliers are unknowns of the patch, if any.
+  std::optional<int> multiplier_node = std::nullopt;
+  bool displacements = true;  ///< true if the displacements of the nodes are unknowns of the patch
 
+  /// The layout of local vectors of the patch.
   LocalLayout layout() const {
     return {primary.count(), secondary.count(), fields.count(), multiplier_node.has_value(), displacements};
   }
 
-  /// The n-th node of the layout, by its index within its surface.
+  /// The n-th node of the layout, as an index on its surface.
   int node(Index n) const { return n < primary.count() ? primary[n] : secondary[n - primary.count()]; }
 
-  /// The layout of local vectors over of_displacements(), without that patch being made.
+  /// The layout of of_displacements(); it does not make that patch.
   LocalLayout displacement_layout() const {
     return {primary.count(), secondary.count(), 0, multiplier_node.has_value(), true};
   }
-  /// The layout of local vectors over of_field(), without that patch being made.
+  /// The layout of of_field(); it does not make that patch.
   LocalLayout field_layout(bool with_displacements) const {
     return {primary.count(), secondary.count(), 1, multiplier_node.has_value(), with_displacements};
   }
 
   /// The patch of all nodes with their displacements and without fields.
   Patch of_displacements() const { return {primary, secondary, {}, multiplier_node, true}; }
-  /// The n-th node of the layout alone, with the multipliers.
+  /// The patch of the n-th node of the layout, with the multipliers.
   Patch of_node(Index n) const {
     const bool is_primary = n < primary.count();
     return {is_primary ? IndexedVector<int>{node(n)} : IndexedVector<int>(),
             is_primary ? IndexedVector<int>() : IndexedVector<int>{node(n)}, fields, multiplier_node, displacements};
   }
-  /// The multipliers without the nodes.
+  /// The patch of the multipliers without nodes.
   Patch of_multipliers() const { return {{}, {}, fields, multiplier_node, displacements}; }
-  /// The patch of all nodes with one field, in Effects' order, and with the nodes' displacements or without.
+  /// The patch of all nodes with one field (index in the order of Effects), with or without displacements.
   Patch of_field(int field, bool with_displacements) const {
     return {primary, secondary, {field}, multiplier_node, with_displacements};
   }
 };
 
-/// A part of a tangent: the equations of one effect by the unknowns that they depend on.
+/// A part of a tangent: the derivatives of the equations of one effect by the unknowns on which they depend.
 struct TangentBlock {
-  Patch rows;       ///< traction: the displacements; a flux: its field
-  Patch columns;    ///< traction: the displacements; a flux: displacements and its field
+  Patch rows;       ///< for the traction, the displacements; for a flux, its field
+  Patch columns;    ///< for the traction, the displacements; for a flux, the displacements and its field
   MatrixXd values;  ///< shape (rows.layout().size(), columns.layout().size())
 };
 
-/// A load at a node, its traction or the flux of a field, as one scalar between the nodes that it acts on and those
-/// that it depends on.
+/// A nodal load, the traction or the flux of a field, as a scalar. The unknowns in `columns` determine it, and it acts
+/// on some of their nodes.
 struct LoadPlace {
-  int node = 0;              ///< of the surface integrated over
-  std::optional<int> field;  ///< whose flux it is; none: the traction
-  Patch columns;             ///< variables of the load; the nodes that it acts on are among theirs
+  int node = 0;              ///< node of the surface over which the pass integrates
+  std::optional<int> field;  ///< field of the flux; none for the traction
+  Patch columns;             ///< unknowns on which the load depends; they include those of the nodes on which it acts
 };
 
-/// The part of a tangent that a load makes as it follows the unknowns, a product of vectors: work factor variation^T.
+/// The rank-one part of a tangent that a load adds because it depends on the unknowns: work factor variation^T.
 struct LoadBlock {
   LoadPlace place;
-  Patch rows;          ///< as those of a TangentBlock
-  VectorXd work;       ///< virtual work of a unit of the load, size rows.layout().size()
-  VectorXd variation;  ///< of the unknowns that the load depends on, size place.columns.layout().size()
-  double factor = 0;   ///< load per unit of it
+  Patch rows;     ///< equations in which the load acts, as TangentBlock::rows
+  VectorXd work;  ///< virtual work of a unit load, size rows.layout().size()
+  /// Derivatives of the gap or jump by the unknowns in place.columns, size place.columns.layout().size().
+  VectorXd variation;
+  double factor = 0;  ///< derivative of the load by the gap or jump
 
+  /// The tangent block work factor variation^T.
   TangentBlock product() const { return {rows, place.columns, (factor * work) * variation.transpose()}; }
 };
 

@@ -1,4 +1,4 @@
-/// The choices a user makes about a contact.
+/// The settings of a contact that a user may choose.
 #pragma once
 
 #include <algorithm>
@@ -7,54 +7,56 @@
 
 namespace mixture_contact {
 
-/// How the interface conditions are enforced.
+/// Methods that enforce the interface conditions.
 enum class Enforcement {
-  penalty,               ///< multipliers stay zero, but where penalties are reduced; gaps and jumps are flux / penalty
-  augmented_lagrangian,  ///< multipliers take up the loads of converged solutions until gaps and jumps meet the
-                         ///< tolerances
-  lagrange_multipliers   ///< multipliers are unknowns of the same Newton solve, with equations of their own
+  penalty,  ///< multipliers stay zero, except where penalties are reduced; gaps and jumps are load / penalty
+  /// After a converged solution, its loads become the multipliers, until gaps and jumps meet the tolerances.
+  augmented_lagrangian,
+  lagrange_multipliers  ///< multipliers are unknowns of the same Newton solve, with equations of their own
 };
 
-/// The points at which the integrals over the primary surface are sampled.
+/// The integration points on the primary surface.
 enum class Integration {
-  gauss,    ///< at Gauss points of the primary facets: cheap; not exact where facets of both sides end at different
-            ///< places
-  segments  ///< on the pieces into which facets of both sides cut each other: exact for all facets
+  gauss,    ///< Gauss points of the primary facets: fast, but not exact where edges of both surfaces do not coincide
+  segments  ///< points on the overlaps of the facets of both surfaces: exact for all facets
 };
 
-/// Penalty of one kind of field.
+/// The penalty of one kind of field.
 struct PenaltyRule {
-  bool automatic = true;  ///< whether `value` multiplies the local stiffness or conductance, or is the penalty itself
+  /// True: `value` is a factor on the local stiffness or conductance; false: `value` is the penalty.
+  bool automatic = true;
   double value = 1.0;
-  double time_step = 0;  ///< in which elements store the field, where that counts [s]; 0: it does not
+  /// Time step in which elements store the field [s], on which the automatic penalty depends; 0: without storage.
+  double time_step = 0;
 
   friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
     return a.automatic == b.automatic && a.value == b.value && a.time_step == b.time_step;
   }
 };
 
-/// The penalties of the traction in a step after a failed one.
+/// The reduced traction penalty in an attempt after a failed one.
 struct ReducedPenalty {
-  double divisor = 1;  ///< of the penalties [-]
-  double kept = 1;     ///< part of the accepted loads, beyond those of the gaps, that the step begins with [-]
+  double divisor = 1;  ///< divisor of the penalties [-]
+  double kept = 1;  ///< fraction of the accepted loads, in excess of those of the gaps, with which the step begins [-]
 };
 
-/// Coefficients of a film for one solute.
+/// Coefficients of a membrane for one solute.
 struct SoluteFilm {
-  double permeance = 0;   ///< P_k [mm/s]
-  double reflection = 1;  ///< sigma_k: the part that the flow leaves behind, from 0 to 1 [-]
+  double permeance = 0;  ///< permeance P_k [mm/s]
+  /// Reflection coefficient sigma_k: fraction of the solute that the membrane retains in convection, 0 to 1 [-].
+  double reflection = 1;
 
   friend bool operator==(const SoluteFilm& a, const SoluteFilm& b) {
     return a.permeance == b.permeance && a.reflection == b.reflection;
   }
 };
 
-/// A film between the surfaces that resists fluxes (conditions/membrane.h). Fields that it does not name are
+/// A membrane between the surfaces that resists fluxes (conditions/membrane.h). Fields without coefficients are
 /// continuous.
 struct MembraneRule {
-  std::optional<double> conductance;  ///< L_p of the solvent [mm^3/(N s)]
-  std::map<int, SoluteFilm> solutes;  ///< by the host's ids
-  double thermal_energy = 0;          ///< R T [MPa/mM]
+  std::optional<double> conductance;  ///< hydraulic conductance L_p [mm^3/(N s)]
+  std::map<int, SoluteFilm> solutes;  ///< coefficients by the host's solute ids
+  double thermal_energy = 0;          ///< thermal energy R T [MPa/mM]
 
   friend bool operator==(const MembraneRule& a, const MembraneRule& b) {
     return a.conductance == b.conductance && a.solutes == b.solutes && a.thermal_energy == b.thermal_energy;
@@ -63,10 +65,10 @@ struct MembraneRule {
 
 /// Friction: |t_T| <= mu <|t_n| - (1 - phi) (p - p*)>.
 struct FrictionRule {
-  double coefficient = 0;       ///< mu [-]
-  double contact_fraction = 0;  ///< phi: the part of the area where solid touches solid, from 0 to 1 [-]
-  double ambient_pressure = 0;  ///< p* [MPa]
-  double penalty_factor = 0.1;  ///< tangential penalty over that of the traction [-]; see friction_factor()
+  double coefficient = 0;       ///< coefficient of friction mu [-]
+  double contact_fraction = 0;  ///< fraction phi of the area where solid touches solid, from 0 to 1 [-]
+  double ambient_pressure = 0;  ///< ambient pressure p* [MPa]
+  double penalty_factor = 0.1;  ///< tangential penalty divided by the traction penalty [-]; see friction_factor()
 
   friend bool operator==(const FrictionRule& a, const FrictionRule& b) {
     return a.coefficient == b.coefficient && a.contact_fraction == b.contact_fraction &&
@@ -74,39 +76,41 @@ struct FrictionRule {
   }
 };
 
-/// Default multiples of the local stiffness and conductance. A jump is about 1/factor of the drop across the adjoining
-/// elements. Fluxes are linear in the jump, so only rounding limits their factor; the traction has a kink that a large
-/// factor sharpens.
+/// Default factors of automatic penalties on the local stiffness and conductance. A gap or jump is about 1/factor of
+/// the drop across the adjoining elements. Fluxes are linear in the jump, so only rounding limits their factor. The
+/// traction has a kink that a large factor makes sharper.
 inline constexpr double default_traction_factor = 1e3;
 inline constexpr double default_flux_factor = 1e5;
-/// Default multiples with two passes. These have twice as many conditions as the surfaces can meet: on closing curved
-/// surfaces, a stiffer penalty makes the nodes of both open and close in turn, or locks the fields of both.
+/// Default factors for contacts with two passes, which impose twice as many conditions as the surfaces can meet. On
+/// closing curved surfaces, a stiffer penalty would make the nodes of both surfaces open and close alternately, or lock
+/// the fields.
 inline constexpr double two_pass_traction_factor = 1e2;
 inline constexpr double two_pass_flux_factor = 1e3;
-/// Default multiple of the stiffness for surfaces that pull: the first iteration pulls all surfaces within the search
-/// radius together.
+/// Default factor on the stiffness for surfaces that bear tension, where the first iteration pulls all surfaces within
+/// the search radius together.
 inline constexpr double tension_traction_factor = 3e2;
 
-/// Default tangential penalty as a multiple of the stiffness: elastic slip is 1/factor of the shear of the adjoining
-/// elements. A larger one sharpens the kinks at the bound, and the active set takes longer to find the sticking nodes.
+/// Default factor of the tangential penalty on the stiffness: elastic slip is 1/factor of the shear of the adjoining
+/// elements. A larger factor makes the kinks at the friction bound sharper, and the active set needs more iterations to
+/// find the sticking nodes.
 inline constexpr double default_friction_factor = 1e2;
 
-/// The default of the tangential penalty over a traction penalty that is `factor` times the stiffness: at most 1.
+/// The default of FrictionRule::penalty_factor for a traction penalty of `factor` times the stiffness: at most 1.
 inline double friction_factor(double factor) { return std::min(1.0, default_friction_factor / factor); }
 
-/// Numbers of augmentations of an augmented Lagrangian solution.
+/// Limits of the number of augmentations of an augmented Lagrangian solution.
 struct Augmentations {
   int least = 0;
   int most = 10;
 };
 
-/// Tolerances of an augmented Lagrangian solution. 0 switches a criterion off.
+/// Convergence criteria of an augmented Lagrangian solution. 0 disables a criterion.
 struct Tolerances {
   /// Criteria of one kind of field.
   struct Field {
-    double relative = 2e-3;  ///< rms gap or jump over the drop across the adjoining elements [-]; above
-                             ///< 1/default_traction_factor
-    double largest = 0;      ///< largest |g| [mm], |p1 - p2| [MPa] or |c1 - c2| [mM] in contact
+    /// Rms gap or jump relative to the drop across the adjoining elements [-]; larger than 1/default_traction_factor.
+    double relative = 2e-3;
+    double largest = 0;  ///< largest |g| [mm], |p1 - p2| [MPa] or |c1 - c2| [mM] in contact
   };
   Field traction;
   Field solvent;
@@ -114,20 +118,21 @@ struct Tolerances {
   Augmentations augmentations;
 };
 
-/// Gaps at which the surfaces exert a traction.
+/// The gaps at which the surfaces exert a traction on each other.
 struct GapRule {
-  double offset = 0;      ///< gap at which the surfaces are in contact without load [mm]
-  bool tension = false;   ///< whether paired surfaces also pull and never open
-  bool may_touch = true;  ///< false: no node ever comes into contact, whatever the gaps
+  double offset = 0;      ///< gap at which the surfaces touch without load [mm]
+  bool tension = false;   ///< true: paired surfaces also bear tension and never open
+  bool may_touch = true;  ///< false: no node comes into contact at any gap
 };
 
 /// Distances of the search for the other surface.
 struct SearchRule {
-  double radius = 0;        ///< largest distance or overlap at which facets are paired [mm]; 0: reach_of() chooses
-  double tolerance = 0.01;  ///< how far outside a facet, in parametric coordinates, a projection is still accepted [-]
+  double radius = 0;  ///< largest gap or overlap at which facets are paired [mm]; 0: chosen by reach_of()
+  /// Distance outside a facet up to which a projection is accepted, in parametric coordinates [-].
+  double tolerance = 0.01;
 };
 
-/// All settings of a contact, with the defaults users get.
+/// All settings of a contact with their defaults.
 struct Settings {
   Enforcement enforcement = Enforcement::penalty;
   PenaltyRule traction{true, default_traction_factor};
@@ -137,12 +142,12 @@ struct Settings {
   MembraneRule membrane;
   ReducedPenalty reduced_traction;
   Tolerances tolerances;
-  bool two_pass = false;   ///< integrate over both surfaces instead of the primary alone
-  bool symmetric = false;  ///< return the symmetric part of the tangent
+  bool two_pass = false;   ///< true: integrate over both surfaces instead of the primary one only
+  bool symmetric = false;  ///< true: use the symmetric part of the tangent
   GapRule gap;
   Integration integration = Integration::segments;
-  int integration_order = 0;  ///< Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones; the same
-                              ///< order on segments
+  /// Gauss points per direction; 0: 2 for linear facets, 3 for quadratic ones. The same order counts on segments.
+  int integration_order = 0;
   SearchRule search;
 };
 

@@ -10,6 +10,7 @@ namespace mixture_contact {
 enum class Side { primary = 0, secondary = 1 };
 inline constexpr std::array<Side, 2> both_sides{Side::primary, Side::secondary};
 
+/// One value for each surface of a contact.
 template <class T>
 class PerSide : public std::array<T, 2> {
  public:
@@ -17,17 +18,18 @@ class PerSide : public std::array<T, 2> {
   const T& operator[](Side side) const { return this->at(static_cast<std::size_t>(side)); }
 };
 
+/// The opposite side.
 inline Side other(Side side) { return side == Side::primary ? Side::secondary : Side::primary; }
 
-/// The data of both surfaces as one pass sees them: of the surface it integrates over and of the one that faces it.
-/// Refers to data of others.
+/// References to the data of both surfaces in one pass: of the primary surface, over which the pass integrates, and of
+/// the secondary surface, which faces it.
 template <class T>
 struct Facing {
   const T& primary;
   const T& secondary;
 };
 
-/// Both surfaces as the pass over a side sees them.
+/// The data of both surfaces as the pass over a side uses them: `side` is the primary surface of the pass.
 template <class T>
 Facing<T> seen_from(Side side, const PerSide<T>& both) {
   return {both[side], both[other(side)]};

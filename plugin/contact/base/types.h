@@ -1,4 +1,4 @@
-/// Eigen types shared by the whole contact core.
+/// Eigen types of the contact core.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,14 +13,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Values that nothing is known of yet: NaN, which no comparison is true for.
+/// A vector of NaN, for values that are not known yet; comparisons with them are false.
 inline VectorXd unknown_values(Index count) {
   return VectorXd::Constant(count, std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Largest number of nodes of one facet (quad9), and of a pair of facets.
+/// Largest number of nodes of a facet (quad9).
 inline constexpr int max_facet_nodes = 9;
+/// Largest number of nodes of a pair of facets.
 inline constexpr int max_pair_nodes = 2 * max_facet_nodes;
+/// Largest number of displacements of a pair of facets.
 inline constexpr int max_pair_displacements = 3 * max_pair_nodes;
 
 /// One value per node of a facet, shape (n).

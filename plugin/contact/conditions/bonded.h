@@ -1,4 +1,4 @@
-/// Bonded surfaces: a traction that follows the gap vector both ways, in tension as in compression.
+/// The bonded condition: a traction that is linear in the gap vector, in tension and in compression.
 #pragma once
 
 #include "base/types.h"
@@ -8,10 +8,11 @@ namespace mixture_contact {
 /// The traction of a bond, and its derivative with the gap vector.
 struct BondedTraction {
   Vector3d value;  ///< on the primary surface [MPa]
-  double d_gap;    ///< times the identity [N/mm^3]
+  double d_gap;    ///< factor of the identity in dt/dD [N/mm^3]
 };
 
-/// t = lambda + eps D. One penalty for all directions needs no frame: the traction turns with the gap vector.
+/// The traction t = lambda + eps D. A single penalty for all directions needs no local axes: the traction rotates with
+/// the gap vector.
 inline BondedTraction bonded_traction(const Vector3d& multiplier, double penalty, const Vector3d& gap) {
   return {multiplier + penalty * gap, penalty};
 }

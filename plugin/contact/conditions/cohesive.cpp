@@ -6,7 +6,7 @@
 namespace mixture_contact {
 namespace {
 
-/// A quantity with its derivative.
+/// A quantity and its derivative with the gap vector and the normal.
 struct Derived {
   double value = 0;
   BondGradient derivative;
@@ -14,13 +14,13 @@ struct Derived {
 
 BondGradient stacked(const Vector3d& gap, const Vector3d& normal) { return (BondGradient() << gap, normal).finished(); }
 
-/// A bond's opening, D_n, lambda and B.
+/// The opening of a bond: D_n, lambda and B with their derivatives.
 struct Opening {
-  double compression = 0;    ///< min(0, D_n) [mm]
-  BondGradient d_normal;     ///< dD_n
-  BondGradient half_square;  ///< d(lambda^2/2)
-  double size = 0;           ///< lambda [mm]
-  Derived mode;              ///< B [-]
+  double compression = 0;    ///< part of D_n in compression, min(0, D_n) [mm]
+  BondGradient d_normal;     ///< derivative of the normal opening D_n
+  BondGradient half_square;  ///< derivative of lambda^2/2
+  double size = 0;           ///< opening lambda [mm]
+  Derived mode;              ///< mode B [-]
 };
 
 Opening opening_of(const Vector3d& gap, const Vector3d& normal) {
@@ -40,18 +40,18 @@ Opening opening_of(const Vector3d& gap, const Vector3d& normal) {
   return found;
 }
 
-/// A length that depends on the mode, with its derivative with B.
+/// A length that depends on the mode, and its derivative with B.
 struct ByPart {
   double value;
   double d_mode;
 };
 
-/// Where damage begins and ends, o and f.
+/// The openings o and f at which damage begins and ends.
 struct Range {
   ByPart begin;
   ByPart end;
 
-  /// The opening at which damage has grown to a value.
+  /// The opening at which growing damage has this value.
   ByPart opening(double damage) const {
     const double left = end.value - damage * (end.value - begin.value);
     const double d_left = end.d_mode - damage * (end.d_mode - begin.d_mode);
@@ -72,14 +72,14 @@ Range range_of(const Cohesive& law, double penalty, double mode) {
   return {{begin, d_begin}, {end, d_end}};
 }
 
-/// The opening that damage follows, r; see Cohesive::pace.
+/// The retarded opening r, which damage follows; see Cohesive::pace.
 Derived followed(const Cohesive& law, const Range& range, const Opening& opening, double damage) {
   const ByPart last = range.opening(damage);
   return {last.value + law.pace * (opening.size - last.value),
           (law.pace / opening.size) * opening.half_square + ((1 - law.pace) * last.d_mode) * opening.mode.derivative};
 }
 
-/// d at an opening r that has not been larger.
+/// The damage d at an opening r that has not been larger before.
 Derived growing_damage(const Range& range, const Derived& r, const Derived& mode) {
   const double begin = range.begin.value;
   const double end = range.end.value;
@@ -94,7 +94,7 @@ Derived growing_damage(const Range& range, const Derived& r, const Derived& mode
   return {end * (size - begin) / (size * softening), d_size * r.derivative + d_mode * mode.derivative};
 }
 
-/// Second derivatives of D_n.
+/// Second derivatives of D_n with the gap vector and the normal.
 BondHessian hessian_of_normal_part() {
   BondHessian hessian = BondHessian::Zero();
   hessian.topRightCorner<3, 3>().setIdentity();
@@ -102,7 +102,7 @@ BondHessian hessian_of_normal_part() {
   return hessian;
 }
 
-/// The derivative of the loads at a damage that stays.
+/// The derivative of the loads at constant damage.
 BondHessian secant(double penalty, double damage, const Opening& opening) {
   BondHessian derivative = BondHessian::Zero();
   derivative.topLeftCorner<3, 3>().diagonal().setConstant(penalty * (1 - damage));
@@ -146,8 +146,8 @@ Dissipated dissipated(const Cohesive& law, double penalty, double before, double
   const Range range = range_of(law, penalty, opening.mode.value);
   const double first = range.opening(before).value;
   const double last = range.opening(after).value;
-  // The integrals of K r^2/2 dd and of K (lambda^2 - r^2)/2 dd along the curve of growing damage, where dd ~ dr/r^2.
-  // The opening is lambda = offset + slope r from the one that the step began with; without viscosity it is r.
+  // The integrals of K r^2/2 dd and of K (lambda^2 - r^2)/2 dd along the curve of growing damage, on which dd ~ dr/r^2.
+  // The opening is lambda = offset + slope r, starting from that at the start of the step; without viscosity it is r.
   const double start = std::max(first, from);
   const double slope = law.pace < 1 ? (opening.size - start) / (last - first) : 1.0;
   const double offset = law.pace < 1 ? start - slope * first : 0.0;
@@ -159,7 +159,7 @@ Dissipated dissipated(const Cohesive& law, double penalty, double before, double
 
 double least_penalty(const Cohesive& law) {
   const ByMode& limit = law.strength.traction;
-  // f/o is a quotient of linear functions of B^eta, so that its least value is that of tension or of shear.
+  // The ratio f/o is a quotient of linear functions of B^eta, so its smallest value is that in tension or in shear.
   return 0.5 * std::max(limit.normal * limit.normal / law.energy.normal, limit.shear * limit.shear / law.energy.shear);
 }
 

@@ -1,5 +1,5 @@
-/// Friction with the load that the fluid bears (Ateshian, Wang and Lai 1998, J Tribol 120:241-248), as a bound that is
-/// linear in both loads: value and derivatives.
+/// Coulomb friction in which the fluid bears a part of the load (Ateshian, Wang and Lai 1998, J Tribol 120:241-248).
+/// The bound is linear in the traction and in the fluid pressure.
 #pragma once
 
 #include "base/settings.h"
@@ -7,46 +7,47 @@
 
 namespace mixture_contact {
 
-/// The largest friction and its derivatives.
+/// The friction bound T_max and its derivatives.
 struct FrictionBound {
   double value;
-  double d_traction;  ///< with t_n
-  double d_pressure;  ///< with p~
+  double d_traction;  ///< derivative with the normal traction t_n
+  double d_pressure;  ///< derivative with the excess pressure p~ - p*
 };
 
-/// T_max = mu <-t_n - (1 - phi) (p~ - p*)>, with the normal traction t_n < 0 in compression and the excess p~ - p* of
-/// the fluid pressure over the ambient one [MPa]. mu is the coefficient after the fluid pressure has subsided. The
-/// bound has no quotient: it tends to 0 with t_n and p~ - p* at first touch.
+/// The bound T_max = mu <-t_n - (1 - phi) (p~ - p*)> [MPa], where <x> = max(0, x). `normal_traction`: t_n, negative in
+/// compression [MPa]. `excess_pressure`: p~ - p*, fluid pressure minus ambient pressure [MPa]. mu is the coefficient
+/// after the fluid pressure has subsided. The formula has no quotient: T_max tends to 0 with t_n and p~ - p* at first
+/// touch.
 FrictionBound friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
-/// The bound T_max without <>, mu (-t_n - (1 - phi) (p~ - p*)) [MPa]: linear, and negative if no load presses the
-/// solids together.
+/// The bound without <>: mu (-t_n - (1 - phi) (p~ - p*)) [MPa]. It is negative if no load presses the solids together.
 FrictionBound linear_friction_bound(const FrictionRule& rule, double normal_traction, double excess_pressure);
 
 /// A friction traction and its derivatives.
 struct FrictionTraction {
   Vector3d value;
-  Eigen::Matrix3d d_trial;  ///< with the trial traction tau
-  Vector3d d_bound;         ///< with T_max
+  Eigen::Matrix3d d_trial;  ///< derivative with the trial traction tau
+  Vector3d d_bound;         ///< derivative with the friction bound T_max
 };
 
-/// Stick: t_T = tau.
+/// The friction of a sticking node: t_T = tau.
 FrictionTraction stick(const Vector3d& trial);
 
-/// Slip: t_T = T_max tau/|tau|; zero where the trial has no direction.
+/// The friction of a sliding node: t_T = T_max tau/|tau|; zero if tau is zero.
 FrictionTraction slip(const Vector3d& trial, double bound);
 
-/// Slip within an iteration that began at the trial traction `reference`: the direction varies with the trial to first
-/// order, at the bound `reference_bound`, and never reverses. With a large penalty, a slip slightly beyond zero would
-/// reverse it, and Newton's method would alternate between two directions of slip around stick.
+/// The friction of a sliding node in an iteration that began at the trial traction `reference` with the bound
+/// `reference_bound`. The direction of slip varies with the trial to first order and never reverses. Otherwise, with a
+/// large penalty, a slip slightly beyond zero would reverse the direction, and Newton's method would alternate between
+/// two directions of slip around stick.
 FrictionTraction slip(const Vector3d& trial, double bound, const Vector3d& reference, double reference_bound);
 
-/// The excess of a sliding node over the bound along the initial direction of its iteration. A node without excess
-/// sticks, even if it would now slide in the opposite direction.
+/// The excess over the bound of a sliding node's trial, along its direction at the start of the iteration [MPa]. A node
+/// without excess sticks, even if it would now slide in the opposite direction.
 double slip_excess(const Vector3d& trial, double bound, const Vector3d& reference);
 
-/// The dissipation of slip per area: T_max times the part of the slip that is not the compliance of the penalty,
-/// (|tau| - T_max)/eps; never negative in slip, 0 in stick [mJ/mm^2].
+/// The energy per area that slip dissipates [mJ/mm^2]: T_max times the slip without the elastic slip of the penalty,
+/// (|tau| - T_max)/eps. It is never negative, and 0 in stick.
 double dissipated(const Vector3d& trial, double bound, double penalty);
 
 }  // namespace mixture_contact

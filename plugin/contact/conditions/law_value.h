@@ -1,4 +1,4 @@
-/// Values of laws with their derivatives, and the augmented form that the laws of a contact share.
+/// The value of a law with its derivative, and the augmented form of the contact laws.
 #pragma once
 
 namespace mixture_contact {
@@ -9,10 +9,10 @@ struct LawValue {
   double derivative;
 };
 
-/// lambda + eps g, the load that (2.7)-(2.9) make of a gap or jump in contact, with a multiplier and a penalty.
+/// The load lambda + eps g of eqs (2.7)-(2.9) in contact, for a multiplier, a penalty and a gap or jump.
 ///
 /// Traction [MPa]: lambda in MPa, eps in N/mm^3, gap in mm. Solvent flux [mm/s]: lambda in mm/s, eps in mm^3/(N s),
-/// jump in MPa. Solute flux [nmol/(mm^2 s)]: lambda likewise, eps in mm/s, jump in mM.
+/// jump in MPa. Solute flux [nmol/(mm^2 s)]: lambda in nmol/(mm^2 s), eps in mm/s, jump in mM.
 inline LawValue augmented(double lambda, double penalty, double gap) { return {lambda + penalty * gap, penalty}; }
 
 }  // namespace mixture_contact

@@ -6,7 +6,7 @@
 namespace mixture_contact {
 namespace {
 
-/// B(x) = x/(e^x - 1) and its derivative; below `small` by their series, whose first term left out is x^4/720.
+/// B(x) = x/(e^x - 1) and its derivative. For |x| below `small`, the series up to the term before x^4/720.
 LawValue bernoulli(double x) {
   constexpr double small = 1e-3;
   if (std::abs(x) < small) return {1 - x / 2 + x * x / 12, -0.5 + x / 6 - x * x * x / 180};
@@ -16,7 +16,7 @@ LawValue bernoulli(double x) {
   return {value, (1 - value * (growth + 1)) / growth};
 }
 
-/// What the jump of each field counts in the pressure that drives the solvent.
+/// Coefficients of the jumps of all fields in the pressure that drives the solvent.
 VectorXd drive(const Effects& effects, const MembraneRule& rule) {
   VectorXd drive = VectorXd::Zero(effects.scalar_fields());
   drive[0] = 1;

@@ -1,32 +1,33 @@
-/// The equation of a multiplier that is an unknown.
+/// The equations of multipliers that are unknowns.
 #pragma once
 
 namespace mixture_contact {
 
-/// Compliance of a contact whose multipliers are unknowns, over that of the adjoining elements [-]: remaining gap or
-/// jump over their drop. Above the rounding of a factorisation, so that a condition on nodes that are all prescribed
-/// has a pivot, and below every figure of interest.
+/// The remaining gap or jump of a contact whose multipliers are unknowns, relative to the drop across the adjoining
+/// elements [-]. It is above the rounding of a factorisation, such that a condition on prescribed nodes has a pivot,
+/// and below any accuracy of interest.
 inline constexpr double multiplier_compliance = 1e-11;
 
-/// The equation of a multiplier that is an unknown, and its derivatives.
+/// The value of a multiplier's equation and its derivatives.
 struct ConditionValue {
   double value;
-  double d_dgap;         ///< d(value)/d(gap or jump)
-  double d_dmultiplier;  ///< d(value)/dmu
+  double d_dgap;         ///< derivative with the gap or jump
+  double d_dmultiplier;  ///< derivative with mu
 };
 
-/// In contact, gap or jump = 0; elsewhere, mu = 0.
+/// The equation of a multiplier: gap or jump = 0 in contact, mu = 0 elsewhere.
 ///
-/// mu = lambda/k, with k the stiffness or conductance of the adjoining elements, is the drop across them that the load
-/// causes: it has the unit of the gap [mm] or jump.
+/// `mu`: lambda/k, with the stiffness or conductance k of the adjoining elements. It is the drop across them that the
+/// load causes, and has the unit of the gap [mm] or jump.
 inline ConditionValue multiplier_condition(bool in_contact, double mu, double gap) {
   if (!in_contact) return {-mu, 0.0, -1.0};
   return {gap - multiplier_compliance * mu, 1.0, -multiplier_compliance};
 }
 
-/// The equation of a flux that is a law of the scene, (F - lambda)/(k + k_F) = 0 with the law's flux F and its
-/// coefficient k_F, given mu = lambda/k: F takes the place of the gap, and the equation has the unit of the jump,
-/// however large or small k_F is.
+/// The equation of a flux that follows a law F, for example of a membrane: (F - lambda)/(k + k_F) = 0. The equation has
+/// the unit of the jump for any size of k_F.
+///
+/// `mu`: lambda/k. `unit`: k, conductance of the adjoining elements. `coefficient`: k_F, derivative of F. `flux`: F.
 inline ConditionValue law_condition(double mu, double unit, double coefficient, double flux) {
   const double both = unit + coefficient;
   return {(flux - unit * mu) / both, 1 / both, -unit / both};

@@ -8,8 +8,8 @@
 namespace mixture_contact {
 namespace {
 
-/// The part of a film that the fluxes of one surface's nodes cross: a half where the other surface's nodes have
-/// conditions, too.
+/// The fraction of a membrane that the fluxes at one surface's nodes cross: a half if the nodes of the other surface
+/// have conditions as well.
 double share_of_film(const SurfaceMesh& primary, const Settings& settings) {
   return settings.two_pass || primary.may_meet_itself() ? 0.5 : 1.0;
 }
@@ -60,7 +60,7 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
     }
   }
   if (loads.friction.empty()) return;
-  if (loads.friction.trial.size() == 0) find_friction_limits(loads);  // else they are those that an iteration predicts
+  if (loads.friction.trial.size() == 0) find_friction_limits(loads);  // else the iteration has predicted them
   load_friction(loads);
 }
 

@@ -1,5 +1,5 @@
 /// Conditions between the normal traction and the gap: eq (2.7) of Ateshian, Maas and Weiss (2012), and its counterpart
-/// for surfaces that may pull. No other file distinguishes the two.
+/// for surfaces that bear tension. No other file distinguishes the two conditions.
 #pragma once
 
 #include "base/settings.h"
@@ -10,8 +10,8 @@
 
 namespace mixture_contact {
 
-/// A condition at a node: its load, its next status, and its admissible tractions. `trial` is the augmented load
-/// lambda_n + eps_n g of a node [MPa], negative in compression.
+/// The normal condition at a node: load, next status, and admissible tractions. In all functions, `trial` is the
+/// augmented load lambda_n + eps_n g of a node [MPa], negative in compression.
 class NormalCondition {
  public:
   NormalCondition() = default;
@@ -21,28 +21,29 @@ class NormalCondition {
   NormalCondition& operator=(NormalCondition&&) = delete;
   virtual ~NormalCondition() = default;
 
-  /// t_n [MPa] and its derivative with the gap, for a status: the trial in contact, 0 elsewhere.
+  /// The normal traction t_n [MPa] and its derivative with the gap: the trial in contact, 0 elsewhere.
   static LawValue load(const LawValue& trial, bool in_contact) { return in_contact ? trial : LawValue{0, 0}; }
-  /// The nearest traction that the condition allows [MPa].
+  /// The admissible traction that is nearest to `traction` [MPa].
   virtual double admissible(double traction) const = 0;
 
-  /// Whether a node that faces the other surface begins in contact. Surfaces no farther apart than `touch` [mm] act on
-  /// each other.
+  /// True if a node that faces the other surface is in contact in the initial state. Surfaces count as touching up to a
+  /// gap of `touch` [mm].
   virtual bool begins(const LawValue& trial, double touch) const = 0;
-  /// Whether a node in contact stays so; tractions up to `least` [MPa] do not decide.
+  /// True if a node in contact remains in contact. `least`: tractions up to this value do not change the status [MPa].
   virtual bool stays(double traction, double least) const = 0;
-  /// Whether a node that faces the other surface comes into contact; overlap loads up to `least` [MPa] do not decide.
+  /// True if an open node that faces the other surface comes into contact. `least`: overlap loads up to this value do
+  /// not change the status [MPa].
   virtual bool closes(double trial, double least) const = 0;
-  /// Whether surfaces that face each other may open.
+  /// True if surfaces that face each other may open.
   virtual bool may_part() const = 0;
 
-  /// The residual of the condition at a node in contact [mm].
+  /// The error of a node in contact in the condition [mm].
   virtual double residual_gap(double gap, double traction) const = 0;
-  /// Default multiple of the local stiffness. `both_ways`: each side has conditions of its own.
+  /// Default penalty factor on the local stiffness. `both_ways`: both surfaces have conditions of their own.
   virtual double penalty_factor(bool both_ways) const = 0;
 };
 
-/// t_n = min(0, lambda_n + eps_n g), eq (2.7): surfaces push and open.
+/// Unilateral contact, eq (2.7): t_n = min(0, lambda_n + eps_n g). The surfaces transmit compression only and may open.
 class Unilateral final : public NormalCondition {
  public:
   double admissible(double traction) const override { return std::min(0.0, traction); }
@@ -50,12 +51,14 @@ class Unilateral final : public NormalCondition {
   bool stays(double traction, double least) const override { return traction <= least; }
   bool closes(double trial, double least) const override { return trial < -least; }
   bool may_part() const override { return true; }
-  /// Surfaces that touch without a load meet the condition, g >= 0 and t_n = 0, for any rounding of the gap.
+  /// Zero without traction: surfaces that touch without load meet the condition (g >= 0 and t_n = 0) for any rounding
+  /// of the gap.
   double residual_gap(double gap, double traction) const override { return traction < 0 ? gap : 0.0; }
   double penalty_factor(bool both_ways) const override;
 };
 
-/// t_n = lambda_n + eps_n g wherever the surfaces face each other: they pull as well as push, and slide freely.
+/// Bilateral contact: t_n = lambda_n + eps_n g wherever the surfaces face each other. They transmit tension and
+/// compression, and slide freely.
 class Bilateral final : public NormalCondition {
  public:
   double admissible(double traction) const override { return traction; }
@@ -67,10 +70,10 @@ class Bilateral final : public NormalCondition {
   double penalty_factor(bool both_ways) const override;
 };
 
-/// The nearest tractions of nodes that a condition allows [MPa].
+/// The admissible tractions nearest to those given [MPa].
 VectorXd admissible(const NormalCondition& condition, const VectorXd& tractions);
 
-/// The condition by a user's settings of gaps.
+/// The condition for the user's gap settings.
 const NormalCondition& normal_condition(const GapRule& gap);
 
 }  // namespace mixture_contact

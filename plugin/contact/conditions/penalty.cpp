@@ -7,7 +7,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Harmonic mean of the positive entries; infinite ones count as no resistance; 0 if none is positive.
+/// Harmonic mean of the positive entries, in which infinite entries have no resistance; 0 if no entry is positive.
 double harmonic_mean(const Eigen::Ref<const VectorXd>& values) {
   double resistance = 0;
   int count = 0;
@@ -20,13 +20,14 @@ double harmonic_mean(const Eigen::Ref<const VectorXd>& values) {
   return resistance > 0 ? count / resistance : std::numeric_limits<double>::infinity();
 }
 
-/// What a facet's elements store of the solvent in a time step of both sides' stiffness, as a conductance.
+/// The conductance that represents the solvent storage of a facet's elements in a time step. `primary`, `secondary`:
+/// stiffness of both sides.
 double storage(double primary, double secondary, double time_step) {
   return time_step > 0 ? in_series(1 / primary, 1 / secondary) / time_step : 0.0;
 }
 
-/// The rule of a field's penalty. A film has its own conductance or permeance, which measures what is rounding of its
-/// flux.
+/// The penalty rule of a field. A membrane's conductance or permeance takes the place of a penalty; it is the scale for
+/// the rounding of the membrane's flux.
 PenaltyRule rule_of(int field, const Effects& effects, const Settings& settings) {
   const bool is_solvent = effects.solvent && field == 0;
   const MembraneRule& film = settings.membrane;
@@ -54,7 +55,7 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
   for (Index f = 0; f < facets; ++f) {
     result.stiffness[f] = in_series(primary.stiffness[f], secondary_stiffness);
     result.traction[f] = apply(settings.traction, result.stiffness[f]) / settings.reduced_traction.divisor;
-    // Two rigid sides have no elements to measure gaps against: an explicit penalty stands in for their stiffness.
+    // Two rigid sides have no elements whose stiffness could be the scale of gaps; an explicit penalty replaces it.
     if (std::isinf(result.stiffness[f])) result.stiffness[f] = result.traction[f];
   }
   for (Index k = 0; k < fields; ++k) {

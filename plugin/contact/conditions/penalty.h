@@ -1,4 +1,4 @@
-/// Penalty factors per facet from the stiffness and conductance of both sides.
+/// Penalties of facets and nodes, from the stiffness and conductance of both sides.
 #pragma once
 
 #include "base/settings.h"
@@ -6,31 +6,35 @@
 
 namespace mixture_contact {
 
-/// Penalties of a primary surface, per facet or per node, with their stiffness and conductance.
+/// Penalties of a primary surface with the stiffness and conductance on which they are based; one entry or column per
+/// facet, or per node after at_nodes().
 struct Penalties {
-  VectorXd traction;     ///< eps_n per facet [N/mm^3]
-  MatrixXd flux;         ///< eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
-  VectorXd stiffness;    ///< stiffness of the adjoining elements per facet (between rigid bodies: the penalty) [N/mm^3]
-  MatrixXd conductance;  ///< conductance of the adjoining elements per (field, facet), units of flux; of the solvent at
-                         ///< least a part of the flux that fills their storage in a time step (see storage_part)
+  VectorXd traction;   ///< traction penalties eps_n [N/mm^3]
+  MatrixXd flux;       ///< flux penalties eps per (field, facet): [mm^3/(N s)] for the solvent, [mm/s] for solutes
+  VectorXd stiffness;  ///< stiffness of the adjoining elements [N/mm^3]; between rigid bodies the penalty
+  /// Conductance of the adjoining elements per (field, facet); for the solvent at least the conductance that represents
+  /// their storage in a time step (see storage_part).
+  MatrixXd conductance;
 };
 
-/// An element of stiffness E/h takes up solvent in a time step dt like a conductance of h/(E dt) [mm^3/(N s)]: in steps
-/// far below the time in which it drains, fluxes fill this storage, and a penalty from the permeability alone would
-/// leave a jump as large as a part of the pressure. This part of the storage, times the default factor, leaves a jump
-/// of a thousandth, as the default does for the traction.
+/// Factor of the storage of an element in its conductance.
+///
+/// In a time step dt, an element of stiffness E/h stores solvent like a conductance of h/(E dt) [mm^3/(N s)]. If steps
+/// are far below the time in which the element drains, fluxes fill this storage, and a penalty from the permeability
+/// alone would leave a large jump of the pressure. With this factor and the default penalty factor of fluxes, the jump
+/// is a thousandth, as for the default traction penalty.
 inline constexpr double storage_part = default_traction_factor / default_flux_factor;
 
-/// Stiffness or conductance of two sides in series, doubled so that equal sides give their own value: 2 k1 k2 / (k1 +
-/// k2). An infinite side leaves twice the other; a zero side leaves zero.
+/// Stiffness or conductance of two sides in series, times two, such that equal sides give their own value: 2 k1 k2/(k1
+/// + k2). If one side is infinite, twice the other; if one side is zero, zero.
 double in_series(double one, double other);
 
-/// Penalties of the facets of `primary` against `secondary`, whose properties enter by their harmonic mean over its
-/// facets: the penalty then does not jump while a point slides from facet to facet.
+/// Penalties of the facets of `primary` in contact with `secondary`. The properties of `secondary` enter by their
+/// harmonic mean over all its facets, such that the penalty does not jump when a point slides from facet to facet.
 Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                     const Settings& settings);
 
-/// Penalties per node of the primary surface: the mean over the facets around each node.
+/// Penalties per node of the primary surface: means over the facets around each node.
 Penalties at_nodes(const Penalties& facets, const SurfaceMesh& primary);
 
 }  // namespace mixture_contact

@@ -1,4 +1,4 @@
-/// Conditions between the flux of a scalar field, solvent or solute, and the jumps at a node.
+/// Conditions between the flux of a scalar field (solvent or solute) and its jump at a node.
 #pragma once
 
 #include "base/effects.h"
@@ -7,21 +7,21 @@
 
 namespace mixture_contact {
 
-/// The enforcement of a condition that is no law of the scene.
+/// The multiplier and penalty that enforce a condition at a node.
 struct Enforcing {
-  double multiplier = 0;  ///< lambda
-  double penalty = 0;     ///< eps
+  double multiplier = 0;  ///< multiplier lambda
+  double penalty = 0;     ///< penalty eps
 };
 
-/// A flux, positive from the primary to the secondary body, with its derivatives.
+/// A flux from the primary to the secondary body, with its derivatives.
 struct FluxLaw {
   double value = 0;
-  VectorXd d_jump;  ///< with NodalLoads::jump at the node, per field
-  VectorXd d_own;   ///< with NodalLoads::own at the node, per field
+  VectorXd d_jump;  ///< derivatives with NodalLoads::jump at the node, per field
+  VectorXd d_own;   ///< derivatives with NodalLoads::own at the node, per field
 };
 
-/// The condition of one field. A flux depends on jumps around the node and on the fields' values there: p~ of the
-/// solvent [MPa], c~ of solutes [mM].
+/// The condition of one field at nodes. Its flux depends on the jumps around the node and on the values of the fields
+/// at the node: p~ of the solvent [MPa], c~ of solutes [mM].
 class ScalarCondition {
  public:
   explicit ScalarCondition(int field) : field_(field) {}
@@ -33,12 +33,13 @@ class ScalarCondition {
 
   /// Index of the field, in the order of Effects.
   int field() const { return field_; }
-  /// Whether the condition is a zero jump, enforced by penalties and multipliers; otherwise the flux is a law of the
-  /// scene.
+  /// True if the condition is a zero jump, enforced by penalties and multipliers; false if the flux follows a law, as
+  /// that of a membrane.
   virtual bool is_enforced() const = 0;
-  /// The fields that the flux depends on, its own among them.
+  /// The fields on which the flux depends, including its own.
   virtual FieldMask drivers() const = 0;
-  /// The flux at a node that exchanges the field: [mm/s] for the solvent, [nmol/(mm^2 s)] for solutes.
+  /// The flux at a node that exchanges the field: [mm/s] for the solvent, [nmol/(mm^2 s)] for solutes. `by`: multiplier
+  /// and penalty.
   virtual FluxLaw flux(const NodalLoads& at, Index node, const Enforcing& by) const = 0;
   /// The flux without its derivatives.
   virtual double value(const NodalLoads& at, Index node, const Enforcing& by) const { return flux(at, node, by).value; }
@@ -47,8 +48,8 @@ class ScalarCondition {
   int field_;
 };
 
-/// The field is continuous: w_n = lambda_p + eps_p (p1 - p2), eq (2.8), and j_n = lambda_k + eps_k (c1_k - c2_k),
-/// eq (2.9).
+/// Continuity of the field, enforced by w_n = lambda_p + eps_p (p1 - p2), eq (2.8), or j_n = lambda_k + eps_k (c1_k -
+/// c2_k), eq (2.9).
 class Continuous final : public ScalarCondition {
  public:
   using ScalarCondition::ScalarCondition;

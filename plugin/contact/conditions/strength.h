@@ -1,6 +1,6 @@
-/// The strength of a bond by the mode that it is loaded in. Bonds that soften: criterion of Camanho and Davila (2002),
-/// NASA/TM-2002-211737, with the mixing of Benzeggagh and Kenane (1996), Compos Sci Technol 56:439-449. Brittle ones:
-/// the quadratic criterion of Brewer and Lagace (1988), J Compos Mater 22:1141-1155.
+/// The strength of bonds in mixed mode. Cohesive bonds: criterion of Camanho and Davila (2002), NASA/TM-2002-211737,
+/// with the mixed-mode law of Benzeggagh and Kenane (1996), Compos Sci Technol 56:439-449. Brittle bonds: quadratic
+/// criterion of Brewer and Lagace (1988), J Compos Mater 22:1141-1155.
 #pragma once
 
 #include "base/types.h"
@@ -10,37 +10,37 @@
 
 namespace mixture_contact {
 
-/// A quantity that depends on the mode, given its values in tension and in shear.
+/// A quantity that depends on the mode: its values in pure tension and in pure shear.
 struct ByMode {
   double normal = 0;
   double shear = 0;
 
-  /// normal + (shear - normal) B^eta, given that power of the mode.
+  /// The value normal + (shear - normal) B^eta. `power`: B^eta, see Strength::power().
   double at(double power) const { return normal + (shear - normal) * power; }
 };
 
-/// Tractions that a bond bears before it softens.
+/// The tractions at which a bond begins to soften.
 struct Strength {
-  ByMode traction;    ///< sigma_c in tension and tau_c in shear [MPa]
-  double mixing = 2;  ///< eta, at least 1 [-]
+  ByMode traction;    ///< strengths sigma_c in tension and tau_c in shear [MPa]
+  double mixing = 2;  ///< exponent eta of mixed modes, at least 1 [-]
 
-  /// B^eta, for the part B of shear in the square of opening or traction: 0 in tension, 1 in shear.
+  /// The power B^eta. `mode`: B, the fraction of shear in the square of opening or traction, 0 in tension, 1 in shear.
   double power(double mode) const { return std::pow(mode, mixing); }
   /// The derivative of power() with B.
   double d_power(double mode) const { return mixing * std::pow(mode, mixing - 1); }
-  /// The square of the traction that is borne, sigma_c^2 + (tau_c^2 - sigma_c^2) B^eta [MPa^2].
+  /// The square of the strength, sigma_c^2 + (tau_c^2 - sigma_c^2) B^eta [MPa^2]. `power`: B^eta.
   double square(double power) const {
     return ByMode{traction.normal * traction.normal, traction.shear * traction.shear}.at(power);
   }
 };
 
-/// A bond that breaks at once where its load exceeds its strength, at solutions alone.
+/// A brittle bond: it breaks completely if its traction exceeds the strength at an accepted solution.
 struct Brittle {
-  ByMode strength;  ///< in tension and in shear [MPa]
+  ByMode strength;  ///< strength in tension and in shear [MPa]
 };
 
-/// Whether a traction exceeds the strength, (<t_n>/sigma_c)^2 + (t_s/tau_c)^2 > 1; compression breaks nothing.
-/// `normal`: of unit length.
+/// True if a traction exceeds the strength: (<t_n>/sigma_c)^2 + (t_s/tau_c)^2 > 1. Compression does not contribute.
+/// `normal`: unit normal.
 inline bool exceeds(const Brittle& bond, const Vector3d& traction, const Vector3d& normal) {
   const double tension = std::max(0.0, traction.dot(normal)) / bond.strength.normal;
   const double shear = (traction - traction.dot(normal) * normal).norm() / bond.strength.shear;

@@ -6,8 +6,8 @@
 namespace mixture_contact {
 namespace {
 
-/// The slip of a node that sticks, in its tangent plane: no friction opposes what an average over facets that turn
-/// leaves along its normal. Where a node slides it has no condition to meet.
+/// Adds the elastic slip of a sticking node, in its tangent plane. The normal component of the average is left out,
+/// because friction does not oppose it. A sliding node has no condition to meet.
 void add_slip(GapSums& sums, double stiffness, const NodalLoads& loads, Index node) {
   const auto in_plane = [&] { return carried_trial(loads.friction, node, loads.friction.slip.col(node)).value; };
   const double slip = loads.slips[node] ? 0.0 : in_plane().norm();

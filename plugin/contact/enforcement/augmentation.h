@@ -1,4 +1,5 @@
-/// Augmented Lagrangian updates: lambda takes the load of a converged solution; slow fields get a larger penalty.
+/// Augmented Lagrangian updates: the multipliers become the loads of a converged solution, and fields that converge
+/// slowly get a larger penalty.
 #pragma once
 
 #include "conditions/nodal_laws.h"
@@ -6,17 +7,19 @@
 
 namespace mixture_contact {
 
-/// Gaps and jumps of the nodes in contact, given the loads at a state.
+/// The gaps and jumps of the nodes in contact, with the loads at a state.
 ///
-/// The relative measure is free of units: rms(eps0 gap)/rms(load), with eps0 the stiffness or conductance of the
-/// adjoining elements. The jump is compared with the field's own size instead if no load flows, so 0/0 never
-/// arises; and a jump within NodalLaws::field_rounding() is none, so that a pressure that nothing drives is
+/// The relative measure has no unit: rms(eps0 gap)/rms(load), where eps0 is the stiffness or conductance of the
+/// adjoining elements. If no load acts, the jump is compared with the size of the field instead, such that 0/0 cannot
+/// occur. A jump within NodalLaws::field_rounding() counts as zero; a pressure that nothing drives has therefore
 /// converged.
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields);
 
-/// Tenfold penalties for the fields that miss the relative tolerance, up to the automatic penalties: plain
-/// Uzawa converges by a factor of k/(k + eps) an update, k the bodies' own conductance, and so crawls where eps is
-/// small. Returns whether any has grown.
+/// Multiplies the penalties of the fields that miss the relative tolerance by ten, up to the automatic penalties.
+/// Returns true if a penalty has grown.
+///
+/// Each update of Uzawa's method reduces a jump by the factor k/(k + eps), with the conductance k of the bodies, and
+/// converges slowly if eps is small.
 bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances);
 
 }  // namespace mixture_contact

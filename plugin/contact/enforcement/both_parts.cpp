@@ -9,14 +9,14 @@
 namespace mixture_contact {
 namespace {
 
-/// Those of the nodes that are in contact, too.
+/// The nodes that are in contact, among the given ones.
 NodeFlags in_contact_among(const NodeFlags& nodes, const NodeFlags& in_contact) {
   NodeFlags both(nodes.count(), false);
   for (Index node = 0; node < nodes.count(); ++node) both[node] = nodes[node] && in_contact[node];
   return both;
 }
 
-/// Has an entry for each pair, and leaves none of those that carry no load.
+/// Resizes `parts` to one entry per pair, and removes the entries of pairs without a node in contact.
 void keep_loaded(GeometricParts& parts, const FacingPairs& facing, const NodeFlags& in_contact) {
   parts.resize(facing.pairs().size());
   for (Index pair = 0; pair < parts.count(); ++pair) {
@@ -24,7 +24,8 @@ void keep_loaded(GeometricParts& parts, const FacingPairs& facing, const NodeFla
   }
 }
 
-/// Makes the parts of pairs that have a changed node but none of those given, whose pairs are made already.
+/// Computes the parts of pairs that have a node in `changed` and none in `made`, whose pairs have been computed
+/// already.
 void make_others(GeometricParts& parts, const MortarSpace& space, const NodeFlags& changed, const NodeFlags& made,
                  const NodalLoads& carried, const FacingFields& fields) {
   const FacingPairs& facing = space.facing();
@@ -37,7 +38,7 @@ void make_others(GeometricParts& parts, const MortarSpace& space, const NodeFlag
   });
 }
 
-/// The nodes of the pairs that have a changed node.
+/// The nodes of all pairs that have a changed node.
 PerSide<NodeFlags> nodes_of_changed_pairs(const FacingPairs& facing, const NodeFlags& changed, PerSide<Index> nodes) {
   PerSide<NodeFlags> flags{{NodeFlags(nodes[Side::primary], false), NodeFlags(nodes[Side::secondary], false)}};
   for (const FacetPair& pair : facing.pairs()) {
@@ -48,7 +49,7 @@ PerSide<NodeFlags> nodes_of_changed_pairs(const FacingPairs& facing, const NodeF
   return flags;
 }
 
-/// Leaves those rows that are of none of these nodes.
+/// Removes the rows of these nodes.
 void remove_rows(NodeRows& rows, const PerSide<NodeFlags>& nodes) {
   const auto is_one = [&](const TangentBlock& row) {
     const bool is_primary = !row.rows.primary.empty();
@@ -58,7 +59,7 @@ void remove_rows(NodeRows& rows, const PerSide<NodeFlags>& nodes) {
   rows.erase(std::remove_if(rows.begin(), rows.end(), is_one), rows.end());
 }
 
-/// What of a past part is taken over; pairs that have a changed node are still to be made.
+/// The reusable part of a past linearisation. Pairs that have a changed node are still to be computed.
 GeometricPart taken_over(GeometricPart past, const NodeFlags& changed, const LinearisationSource& now,
                          const FacingPairs& facing, PerSide<Index> nodes) {
   const PerSide<NodeFlags> summed_anew = nodes_of_changed_pairs(facing, changed, nodes);
@@ -68,7 +69,7 @@ GeometricPart taken_over(GeometricPart past, const NodeFlags& changed, const Lin
   return past;
 }
 
-/// Sums the pairs at nodes that have no rows yet.
+/// Adds the sums over pairs at nodes that have no rows yet.
 void sum_at_nodes(GeometricPart& part, const MortarSpace& space, PerSide<Index> nodes) {
   part.tractions = traction_rows(part.pairs, nodes, weak_coupling, std::move(part.tractions));
   part.fluxes.resize(space.symmetric() ? 0 : indexing::entries(space.effects().scalar_fields()));
@@ -98,7 +99,7 @@ GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace&
   const PerSide<Index> nodes{{fields.primary.position.cols(), fields.secondary.position.cols()}};
   GeometricPart geometric = past ? taken_over(std::move(past->geometric), changed, now, facing, nodes)
                                  : GeometricPart{std::move(memory), {}, {}, now};
-  // Both parts are of the same points, whose variations cost more than what is made of them.
+  // Both parts are computed from the same points, because the variations of the points take most of the time.
   const NodalLoads carried = geometric_loads(point);
   NodalLoads averaged = point.loads;
   averaged.in_contact = in_contact_among(changed, point.loads.in_contact);

@@ -7,7 +7,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Has the products of load blocks among the other blocks.
+/// Adds the products of load blocks to the other blocks of a node's tangent.
 void multiply_out(const MortarSpace& space, NodeTangent& tangent) {
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields());
   for (const LoadBlock& load : tangent.loads) {
@@ -21,7 +21,7 @@ void multiply_out(const MortarSpace& space, NodeTangent& tangent) {
   tangent.loads.clear();
 }
 
-/// Calls `use` with the loads at a node, given the patch around it.
+/// Calls `use` with each load at a node. `patch`: the nodes and fields of its averages.
 void use_loads(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
                const UseLoad& use) {
   const int own = static_cast<int>(node);
@@ -29,7 +29,7 @@ void use_loads(const EnforcementMethod& method, const MortarSpace& space, Index 
   for (const int field : patch.fields) use({own, field, method.flux_columns(patch, field)});
 }
 
-/// Calls `use` with what fluxes couple that depend on other fields than their own.
+/// Calls `use` with the couplings of fluxes that depend on other fields than their own.
 void use_other_drivers(const EnforcementMethod& method, const Patch& patch, const UsePatch& use) {
   for (const int field : patch.fields) {
     const Patch columns = method.flux_columns(patch, field);
@@ -69,7 +69,7 @@ void use_node(const EnforcementMethod& method, const MortarSpace& space, Index n
 }
 
 void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use) {
-  // A field whose flux depends on the displacements couples these, too.
+  // The columns of a field's flux include the displacements, unless the tangent is symmetric.
   if (space.effects().traction && (patch.fields.empty() || space.symmetric())) use(patch.of_displacements());
   for (const int field : patch.fields) use(space.columns_of(patch, field));
   if (!space.effects().has_bearing_fluid() || space.symmetric()) return;

@@ -1,4 +1,4 @@
-/// The ways in which a pass evaluates the integral (2.5), by the motion of the nodes of its surfaces.
+/// Evaluation of the integral (2.5) by a pass, for surfaces that move and for surfaces that are fixed.
 #pragma once
 
 #include "active_set/active_set.h"
@@ -6,24 +6,25 @@
 
 namespace mixture_contact {
 
-/// Recipients of the parts of a tangent.
+/// Functions that receive the parts of a tangent.
 struct TangentParts {
   AddBlock block;
-  AddLoadBlock load;  ///< load blocks, where tangents consist of them; empty: all come as their products
-  AddRows rows;       ///< held geometric parts by nodes; empty: blocks by pairs of facets
+  AddLoadBlock load;  ///< load blocks; if empty, each load block is passed to `block` as a matrix
+  AddRows rows;       ///< held geometric parts by nodes; if empty, they are passed to `block` by pairs of facets
 };
 
-/// Recipients of the couplings of a tangent.
+/// Functions that receive the couplings of a tangent, for a matrix profile.
 struct Couplings {
+  /// Couplings of all unknowns of a patch.
   UsePatch patch;
-  UseLoad load;  ///< couplings through a load alone, if tangents consist of load blocks; empty: all are patches
-  UseRows rows;  ///< couplings by held geometric parts; empty: all are patches
+  UseLoad load;  ///< couplings through a load block; if empty, they are passed to `patch`
+  UseRows rows;  ///< couplings of held geometric parts; if empty, they are passed to `patch`
 };
 
 class HeldLinearisation;
 
-/// Surfaces that move, or that are fixed. Independent of how conditions are enforced: either goes with any
-/// EnforcementMethod.
+/// The evaluation of a pass whose surfaces move (MovingGeometry) or are fixed (FixedGeometry). It can be combined with
+/// any EnforcementMethod.
 class ContactGeometry {
  public:
   ContactGeometry() = default;
@@ -33,22 +34,24 @@ class ContactGeometry {
   ContactGeometry& operator=(ContactGeometry&&) = delete;
   virtual ~ContactGeometry() = default;
 
-  /// Takes over a projection.
+  /// Updates the data that depend on the pairs after a projection at positions x.
   virtual void update(const FacingPositions& x) = 0;
 
-  /// The functions that ContactPass documents under the same names.
+  /// The functions up to take_multipliers() and end_iterations() are documented in ContactPass under the same or a
+  /// similar name.
   virtual bool begin_iteration(const FacingFields& fields) = 0;
   virtual void hold_loads(const FacingFields& fields) = 0;
   virtual void relinearise(const FacingFields& fields) = 0;
   virtual void start_inactive(const FacingFields& fields) = 0;
   virtual void take_multipliers() = 0;
   virtual void end_iterations() = 0;
-  /// Drops all data of past iterations, so that later ones depend on the state alone.
+  /// Discards all data of past iterations, such that later ones depend on the state only.
   virtual void forget_past() = 0;
-  /// Retries edge nodes of a solution (see ActiveSet::reconsiders_edge()). Returns whether the solution has any.
+  /// Lets edge nodes of a solution be decided again (see ActiveSet::reconsiders_edge()). Returns true if the solution
+  /// has such nodes.
   virtual bool reconsiders_edge(const FacingFields& fields) = 0;
   virtual bool is_solution(const FacingFields& fields) const = 0;
-  /// The linearisation of iterations; null if surfaces are fixed and gaps linear by themselves.
+  /// The linearisation of the iterations; null for fixed surfaces, whose gaps are linear by themselves.
   virtual HeldLinearisation* held() = 0;
 
   virtual NodalLoads loads(const FacingFields& fields) const = 0;
@@ -56,20 +59,20 @@ class ContactGeometry {
   virtual void residual(const FacingFields& fields, double dt, const AddVector& add) const = 0;
   virtual void tangent(const FacingFields& fields, double dt, const TangentParts& add) const = 0;
   virtual void for_each_coupling(const Couplings& use) const = 0;
-  /// Bytes kept between calls.
+  /// Memory kept between calls [bytes].
   virtual std::size_t memory() const = 0;
 };
 
-/// Calls `add` with the tangents of all nodes, in their order.
+/// Calls `add` with the tangents of all nodes in order. `weights`: EnforcementMethod::equation_weights().
 void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
                    const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const VectorXd& weights,
                    double dt, const TangentParts& add);
 
-/// Whether the loads at nodes are separate from the other parts.
+/// True if the couplings of nodal loads are passed on as loads.
 inline bool takes_loads(const EnforcementMethod& method, const Couplings& use) {
   return use.load && method.has_load_blocks();
 }
-/// Calls `use` with the couplings of the loads at a node, given the patch around it.
+/// Calls `use` with the couplings of the loads at a node. `patch`: the nodes and fields of its averages.
 void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
               const Couplings& use);
 

@@ -1,4 +1,4 @@
-/// The enforcement of the conditions of contact at nodes, by penalties or by unknown multipliers.
+/// Enforcement of the contact conditions at nodes by penalties or by unknown multipliers.
 #pragma once
 
 #include "conditions/nodal_laws.h"
@@ -9,26 +9,31 @@
 
 namespace mixture_contact {
 
+/// Receives the residual of a patch.
 using AddVector = std::function<void(const Patch&, const VectorXd&)>;
+/// Receives a block of the tangent.
 using AddBlock = std::function<void(const TangentBlock&)>;
-/// Blocks of one effect, each with the rows of one node, times a factor.
+/// Receives blocks of one effect, each with the rows of one node; all are to be multiplied by a factor.
 using AddRows = std::function<void(const IndexedVector<TangentBlock>&, double factor)>;
+/// Receives a patch whose unknowns are coupled.
 using UsePatch = std::function<void(const Patch&)>;
+/// Receives a load block of the tangent.
 using AddLoadBlock = std::function<void(const LoadBlock&)>;
+/// Receives the place of a load block.
 using UseLoad = std::function<void(const LoadPlace&)>;
-/// Blocks of one effect, each with the rows of one node.
+/// Receives blocks of one effect, each with the rows of one node, for a matrix profile.
 using UseRows = std::function<void(const IndexedVector<TangentBlock>&)>;
 
-/// The tangent of the loads at a node and of the node's equations: the sum of all its parts.
+/// The tangent of a node's loads and of the node's own equations: the sum of all parts.
 struct NodeTangent {
   std::vector<TangentBlock> blocks;
   std::vector<LoadBlock> loads;
 };
 
-/// A way to enforce the conditions. Evaluations are const.
+/// A method that enforces the conditions at the nodes of a pass. Evaluations are const.
 class EnforcementMethod {
  public:
-  /// Keeps references.
+  /// Keeps references to the averages and the laws.
   EnforcementMethod(const MortarSpace& space, const NodalLaws& laws) : space_(space), laws_(laws) {}
   EnforcementMethod(const EnforcementMethod&) = delete;
   EnforcementMethod& operator=(const EnforcementMethod&) = delete;
@@ -36,30 +41,30 @@ class EnforcementMethod {
   EnforcementMethod& operator=(EnforcementMethod&&) = delete;
   virtual ~EnforcementMethod() = default;
 
-  /// Loads of the nodes in contact from the averages around them.
+  /// Sets the loads of the nodes in contact from the averages around them.
   virtual void load(NodalLoads& loads) const = 0;
-  /// Loads within an iteration.
+  /// The loads at a state within an iteration, from the averages that are linearised at `point`.
   virtual NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const = 0;
-  /// Whether predicted loads may differ from those of the true averages.
+  /// True if predicted loads may differ from those of the true averages.
   virtual bool predicts() const = 0;
-  /// Weights of the equations that the method adds at nodes, of the size of their fields' residual.
+  /// Weights of the equations that the method adds at nodes, which give them the size of the residual of their field.
   virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
-  /// Calls `use` with the couplings of the loads at the nodes of a patch, as their averages vary.
+  /// Calls `use` with the couplings of the loads at the nodes of a patch that come from the variation of averages.
   virtual void for_each_coupling(const Patch& patch, const UsePatch& use) const = 0;
-  /// Whether tangents consist of load blocks alone.
+  /// True if tangents consist of load blocks only.
   virtual bool has_load_blocks() const = 0;
-  /// Residual of these equations.
+  /// Calls `add` with the residual of the method's own equations.
   virtual void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const = 0;
-  /// Tangent of the loads at a node, and of its equations. The residual holds t_a traction_work + dt phi_a A_a weights;
-  /// the variation of the works is the geometric part.
+  /// The tangent of the loads at a node, and of the node's own equations. In the residual, the loads of node a are t_a
+  /// traction_work + dt phi_a A_a weights; the variation of these works belongs to the geometric part of the tangent.
   virtual NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                    const VectorXd& weights, double dt) const = 0;
-  /// The unknowns of the law of a field's flux, given the patch around a node: fields in the order of the columns, its
-  /// own first; its own alone in a symmetric tangent.
+  /// The unknowns on which a field's flux at a node depends: nodes of `patch`, and fields in the order of the columns,
+  /// its own first. A symmetric tangent has its own field only.
   Patch flux_columns(const Patch& patch, int field) const;
 
  protected:
-  /// Variation of a flux with displacements, if there are any, and fields, in the order of `columns`.
+  /// Variation of a flux with the displacements (if any) and fields in `columns`, in their order.
   VectorXd flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear, const Patch& columns) const;
   const MortarSpace& space() const { return space_; }
   const NodalLaws& laws() const { return laws_; }
@@ -70,14 +75,14 @@ class EnforcementMethod {
   const NodalLaws& laws_;
 };
 
-/// The method by the settings.
+/// The method that the settings select.
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws);
 
-/// A block of tractions by displacements; its symmetric part if the tangent is symmetric.
+/// A block of tractions by displacements. `values` are symmetrised if the tangent is symmetric.
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values);
-/// Completes a block of tractions by displacements that has its values, and its patch as `rows`: sets the columns,
-/// leaves displacements alone as unknowns, and takes the symmetric part of the values if the tangent is symmetric.
+/// Completes a block of tractions by displacements whose values and row patch are set: it reduces the rows to
+/// displacements, sets the columns, and symmetrises the values if the tangent is symmetric.
 void set_traction_block(const MortarSpace& space, TangentBlock& block);
 
 }  // namespace mixture_contact

@@ -5,7 +5,8 @@
 namespace mixture_contact {
 namespace {
 
-/// (2.5) with fluxes between nodes interpolated with psi_a: dt sum_a phi_a INT psi_a h da = dt sum_a phi_a A_a weights.
+/// The flux part of (2.5) at a node, for fluxes that psi_a interpolates between nodes: dt sum_a phi_a INT psi_a h da =
+/// dt sum_a phi_a A_a weights.
 VectorXd flux_residual(Index node, const NodeLinearisation& linear, const NodalLoads& loads, double dt) {
   const LocalLayout layout = linear.patch.layout();
   VectorXd residual = VectorXd::Zero(layout.size());

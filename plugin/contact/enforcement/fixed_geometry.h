@@ -1,14 +1,15 @@
-/// Surfaces that cannot move exchange no traction, and fluxes that are linear in the fields: jumps have coefficients
-/// that are found once, and no status changes.
+/// Evaluation of a pass whose surfaces cannot move. They exchange no traction, and fluxes are linear in the fields: the
+/// coefficients of the jumps are computed once, and no contact status changes.
 #pragma once
 
 #include "enforcement/contact_geometry.h"
 
 namespace mixture_contact {
 
+/// The evaluation of a pass whose surfaces are fixed.
 class FixedGeometry : public ContactGeometry {
  public:
-  /// Keeps references. Nothing is in contact until update().
+  /// Keeps references. No node is in contact until update() is called.
   FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method);
 
   void update(const FacingPositions& x) override;
@@ -34,8 +35,8 @@ class FixedGeometry : public ContactGeometry {
   MortarSpace& space_;
   const ActiveSet& active_set_;
   const EnforcementMethod& method_;
-  NodalLoads fixed_;                        ///< areas, gaps and status
-  IndexedVector<NodeLinearisation> nodes_;  ///< without displacements; empty for nodes out of contact
+  NodalLoads fixed_;                        ///< areas, gaps and contact status
+  IndexedVector<NodeLinearisation> nodes_;  ///< per node, jumps without displacements; empty for nodes out of contact
 };
 
 }  // namespace mixture_contact

@@ -7,16 +7,18 @@
 namespace mixture_contact {
 namespace {
 
-/// A jump below this part of the field's own size counts as none where no load flows: rounding of the field's values.
+/// If there is no load, a jump below this fraction of the field's own size counts as zero; it is rounding of the
+/// field's values.
 constexpr double rounding_of_jumps = 1e-10;
 constexpr double growth_step = 10;
 
-/// The relative gap that a penalty leaves is 1 over its factor, a round number as tolerances are: what rounding makes
-/// of either is not to decide which of them is larger.
+/// Tolerance in the comparison of a relative gap with its tolerance. The relative gap of a penalty is 1/factor; factor
+/// and tolerance are often round numbers with equal results, which rounding must not decide.
 constexpr double rounding_of_round_numbers = 1e-3;
 
-/// The multiple of the base that a penalty may grow to: where the relative gap alone is too large, what meets that
-/// without multipliers, since the relative gap of a penalty is the reciprocal of its multiple.
+/// The largest multiple of the base up to which a penalty may grow. If only the relative gap is too large, it is the
+/// multiple at which the penalty alone would meet the tolerance, because the relative gap of a penalty is the
+/// reciprocal of its multiple.
 double largest_multiple(const FieldGap& gap, const Tolerances::Field& tolerance, double accurate) {
   const bool by_relative = is_within({0, gap.largest}, tolerance);
   return by_relative ? std::min(accurate, 1 / tolerance.relative) : accurate;

@@ -10,22 +10,22 @@
 namespace mixture_contact {
 namespace {
 
-/// Nodes of both surfaces as one: the primary ones, then the secondary ones.
+/// Numbers of nodes of both surfaces in one sequence: primary nodes, then secondary nodes.
 using Numbers = IndexedVector<Index>;
 
-/// Where the nodes of both surfaces stand in a row.
+/// Positions of nodes in the columns of a row.
 class Places {
  public:
   explicit Places(Index nodes) : places_(nodes, none) {}
 
-  /// Gives a node the next place behind those in `columns`, unless it has one.
+  /// Appends a node to `columns`, unless the row has it already.
   void add(Index number, Numbers& columns) {
     if (places_[number] != none) return;
     places_[number] = columns.count();
     columns.push_back(number);
   }
   Index operator[](Index number) const { return places_[number]; }
-  /// Takes those of a row away.
+  /// Removes the nodes of a row.
   void clear(const Numbers& columns) {
     for (const Index number : columns) places_[number] = none;
   }
@@ -35,28 +35,28 @@ class Places {
   Numbers places_;
 };
 
-/// The R rows of a node, in columns for all nodes of the pairs around it. Its memory serves the next node.
+/// The R rows of a node, with three columns per node of the pairs around it. The memory is reused for the next node.
 template <int R>
 struct Row {
   using Values = Eigen::Matrix<double, R, Eigen::Dynamic>;
 
   Numbers columns;
-  Values memory;  ///< of which the first columns are used
+  Values memory;  ///< its first columns are used
 
   auto values() { return memory.leftCols(3 * columns.count()); }
   auto values() const { return memory.leftCols(3 * columns.count()); }
-  /// For the columns that there are.
+  /// Sets the entries of the present columns to zero.
   void set_zero() {
     if (memory.cols() < 3 * columns.count()) memory.resize(R, 6 * columns.count());
     values().setZero();
   }
 };
 
-/// What an effect has of each pair; null where it has nothing.
+/// The part of one effect of each pair; null for pairs without the effect.
 template <class Tangent>
 using PairParts = IndexedVector<const Tangent*>;
 
-/// How many rows a node has in an effect.
+/// The number of rows per node in an effect.
 template <class Tangent>
 constexpr int rows_per_node = decltype(primary_rows(*std::declval<Tangent>().flat, Index()))::RowsAtCompileTime;
 
@@ -66,7 +66,7 @@ class PairsAroundNodes {
  public:
   static constexpr int rows = rows_per_node<Tangent>;
 
-  /// Keeps references.
+  /// Keeps references to `parts`.
   PairsAroundNodes(const PairParts<Tangent>& parts, PerSide<Index> nodes)
       : parts_(parts),
         primary_nodes_(nodes[Side::primary]),
@@ -80,15 +80,15 @@ class PairsAroundNodes {
   Index nodes() const { return around_.count(); }
   Side side(Index number) const { return number < primary_nodes_ ? Side::primary : Side::secondary; }
   bool has_pairs(Index number) const { return !around_[number].empty(); }
-  /// Of the one node of a patch.
+  /// The number of the only node of a patch.
   Index number(const Patch& alone) const {
     return alone.primary.empty() ? primary_nodes_ + alone.secondary.front() : alone.primary.front();
   }
-  /// Its index within its surface.
+  /// The index of a node on its surface.
   int node(Index number) const {
     return indexing::as_int(side(number) == Side::primary ? number : number - primary_nodes_);
   }
-  /// With the fields of the effect.
+  /// The patch of a node with the fields of the effect.
   Patch patch(Index number) const {
     Patch alone = parts_[around_[number].front()]->block.rows;
     alone.primary.clear();
@@ -118,7 +118,8 @@ class PairsAroundNodes {
   }
 
  private:
-  /// Adds rows that depend on the first nodes of a pair, or all, of whose columns the first are those of displacements.
+  /// Adds rows of a pair to those of a node. `part`: rows with columns for the first nodes of the pair, or for all.
+  /// `per_node`: number of columns per node, of which the first are displacements.
   template <class Rows>
   static void add(const Rows& part, Index per_node, const Span<Index>& nodes, const Places& places, Row<rows>& row) {
     Index column = 0;
@@ -150,11 +151,11 @@ class PairsAroundNodes {
 
   const PairParts<Tangent>& parts_;
   Index primary_nodes_;
-  Lists<Index> nodes_of_;  ///< per pair; none of one that has no part
-  Lists<Index> around_;    ///< per node
+  Lists<Index> nodes_of_;  ///< per pair, its nodes; empty for a pair without a part
+  Lists<Index> around_;    ///< per node, the pairs around it
 };
 
-/// What a thread remembers of a row, whose memory serves the next one.
+/// Working memory of a thread for one row; it is reused for the next row.
 template <int R>
 struct RowMemory {
   Places places;
@@ -162,7 +163,7 @@ struct RowMemory {
   Numbers kept;
 };
 
-/// What of R rows is not weak, columns of primary nodes first. `kept`: memory for their places.
+/// The entries of R rows that are not weak, columns of primary nodes first. `kept`: memory for the remaining nodes.
 template <class Tangent, int R>
 TangentBlock strong_part(const PairsAroundNodes<Tangent>& pairs, const Row<R>& row, Index number, double weak,
                          Numbers& kept) {
@@ -212,14 +213,14 @@ NodeRows rows_of(const PairParts<Tangent>& parts, PerSide<Index> nodes, double w
   return rows;
 }
 
-/// The flux of a field of a pair; null where it has none.
+/// The flux of a field of a pair; null if the pair does not exchange the field.
 const FluxTangent* flux_of(const GeometricTangent& tangent, int field) {
   const auto has_it = [&](const FluxTangent& flux) { return flux.block.rows.fields.front() == field; };
   const auto found = std::find_if(tangent.fluxes.begin(), tangent.fluxes.end(), has_it);
   return found == tangent.fluxes.end() ? nullptr : &*found;
 }
 
-/// What `of` tells of the pairs that carry load.
+/// The result of `of` for each pair; null for pairs that carry no load.
 template <class Tangent, class Of>
 PairParts<Tangent> parts_of(const GeometricParts& pairs, const Of& of) {
   PairParts<Tangent> parts;

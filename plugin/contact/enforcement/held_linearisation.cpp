@@ -9,7 +9,7 @@
 namespace mixture_contact {
 namespace {
 
-/// What tractions are off by that an iteration predicts.
+/// The error of the tractions that an iteration has predicted [MPa].
 double error_of(const NodalLoads& predicted, const NodalLoads& now) {
   return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
 }
@@ -131,7 +131,7 @@ void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingField
   for (Index node = 0; node < linear.count(); ++node) {
     if (!nodes[node]) continue;
     point_->nodes[node] = std::move(linear[node]);
-    point_->loads.area[node] = there.area[node];  // it may have faced nothing
+    point_->loads.area[node] = there.area[node];  // the node may have faced nothing before
     added_[node] = true;
   }
 }
@@ -213,7 +213,7 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
 
 void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
                                     const AddVector& add) const {
-  // Of nodes in contact the works are known; not those of friction, nor of what flowed where one was let go.
+  // The works of nodes in contact are known, except those of friction and the fluxes of nodes that have opened.
   const bool has_works = point_->is_linearised() && point_->loads.friction.empty() &&
                          laws_.effects().nodal_fields() == 0;
   if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);

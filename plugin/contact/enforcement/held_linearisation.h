@@ -1,4 +1,4 @@
-/// A linearisation that several iterations use, for hosts that keep their matrix.
+/// A linearisation that is used in several iterations, for hosts that keep their matrix.
 #pragma once
 
 #include "active_set/active_set.h"
@@ -8,125 +8,134 @@
 
 namespace mixture_contact {
 
-/// The uses that a host has for its matrix in addition to solving with it.
+/// Properties of the host's matrix on which the reuse of a linearisation depends.
 struct HostMatrix {
-  bool has_loads = false;    ///< loads at nodes, except those on rigid bodies, are unknowns of the matrix: nodes can be
-                             ///< released, and others added
-  NodeFlags rigid;           ///< nodes of rigid bodies, whose displacements have no equations of their own
-  NodeFlags rigid_opposite;  ///< the same on the surface that faces the one integrated over
+  /// True if nodal loads, except those on rigid bodies, are unknowns of the matrix, such that nodes can be released and
+  /// added.
+  bool has_loads = false;
+  /// Nodes of the primary surface on rigid bodies, whose displacements have no equations of their own.
+  NodeFlags rigid;
+  NodeFlags rigid_opposite;  ///< nodes of the secondary surface on rigid bodies
 };
 
-/// The loads by the linearisation that a geometry holds: at the start of its iteration, and corrected for later
-/// iterations.
+/// The loads from the linearisation of a pass: at the start of its iteration, and corrected for later iterations with
+/// the same matrix.
 class HeldLinearisation {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   HeldLinearisation(const MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set,
                     const EnforcementMethod& method)
       : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
 
-  // The data that the geometry passes on
-  /// The geometry has a new linearisation; keeps a reference. `begins`: no iteration before it is known.
+  // The pass that owns the linearisation calls the next four functions.
+  /// Sets a new linearisation and keeps a reference to it. `begins`: true in the first iteration of a step.
   void replaced(LinearisationPoint& point, bool begins);
-  /// The geometry has dropped its linearisation.
+  /// Removes the linearisation.
   void ended();
-  /// Sets the loads at which the iteration of this linearisation began, at the same points.
+  /// Sets the loads `before` the start of the iteration, at the same integration points; residual_change() evaluates
+  /// the change.
   void follows(const NodalLoads& before);
-  /// The surfaces have moved since the last call.
+  /// Discards the change of the loads after a motion of the surfaces.
   void moved() { change_ = {}; }
 
-  /// Whether the linearisation can be corrected: the host's matrix must belong to it, and loads must be linear in gaps
-  /// and jumps. Friction and unknown multipliers rule this out.
+  /// True if the linearisation can be corrected: the host's matrix belongs to it, and loads are linear in gaps and
+  /// jumps, which excludes friction and unknown multipliers.
   bool is_correctable() const;
-  /// Whether the next iteration can use the corrected linearisation. No node may need another status by more than the
-  /// error of the loads, except one that can be released or added, and the last correction must have reduced this
-  /// error.
+  /// True if the next iteration can use the corrected linearisation. This requires that no node needs another status by
+  /// more than the error of the loads, except nodes that can be released or added, and that the last correction reduced
+  /// this error.
   bool serves(const FacingFields& fields) const;
-  /// Begins an iteration with the corrected linearisation: gaps and jumps take their true values and keep their
-  /// variations. Added nodes have the variations of this state. Returns whether loads change or differ from those of
+  /// Begins an iteration with the corrected linearisation: gaps and jumps have their true values and keep their
+  /// variations. Added nodes have the variations of this state. Returns true if loads change or differ from those of
   /// the matrix.
   bool correct(const FacingFields& fields);
-  /// Begins an iteration without a correction: no load changes.
+  /// Begins an iteration without a correction, in which no load changes.
   void keep() { change_ = Nothing(); }
 
-  /// The host has formed its matrix of this linearisation.
+  /// Notes that the host has assembled its matrix with this linearisation.
   void has_matrix(HostMatrix matrix);
-  /// Nodes in contact in the matrix and open in the status: their loads do not follow their gaps.
+  /// Nodes whose loads are in the matrix but which are open: their loads do not depend on their gaps.
   IndexedVector<int> released() const { return linearised(false, false); }
-  /// Nodes in contact in the status and open in the matrix.
+  /// Nodes in contact whose loads are not in the matrix.
   IndexedVector<int> added() const { return linearised(true, true); }
-  /// Adds the tangents of loads that the matrix lacks, at linearised nodes.
+  /// Calls `add` with the tangents of the loads of these nodes. The matrix does not contain these tangents.
   void add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const;
 
-  // Decisions on the nodes that an iteration begins in contact with, by solutions with the host's matrix
-  /// Whether the matrix may change their status. It may not if an iteration begins with foreseen nodes: more change
-  /// in the next one all the same, and each that changes costs a back substitution.
+  // The following functions predict the status of nodes at the start of an iteration, by solutions with the host's
+  // matrix.
+  /// True if the status of nodes may be predicted with the matrix.
   bool may_decide() const;
-  /// Linearises nodes out of contact that overlap once the surfaces have moved by these displacements (see
-  /// gap_changes()). Returns the newly linearised nodes; none at the start of the iterations, because their pull would
-  /// be no part of the residual that hosts compare later ones with.
+  /// Linearises the open nodes that overlap after these displacements of the surfaces (see gap_changes()). Returns the
+  /// newly linearised nodes. It finds none in the first iteration, because their loads would not be in the residual
+  /// with which hosts compare later ones.
   NodeFlags find_nearing(const FacingPositions& displacements, const FacingFields& fields);
   /// Open nodes that are linearised but not in the matrix.
   IndexedVector<int> nearing() const { return linearised(false, true); }
-  /// Tractions at this state of nodes whose status the matrix may change [MPa]: of those in contact that it has, and of
-  /// those that are nearing, were they in contact; NaN at all others.
+  /// Tractions at this state of the nodes whose status may be predicted [MPa]: those of nodes in contact, and the trial
+  /// loads of nearing() nodes; NaN at all other nodes.
   VectorXd undecided(const FacingFields& fields) const;
-  /// Nodes that open as the iteration begins, given the tractions of undecided() at its end [MPa] (see
-  /// ActiveSet::opening()). `opened`: nodes assumed open in these tractions; they are returned if the matrix may not
-  /// change the status of so many nodes.
+  /// The nodes that open at the start of the iteration. `tractions`: of the nodes in undecided(), at the end of the
+  /// iteration [MPa] (see ActiveSet::opening()). `opened`: nodes that were assumed open for these tractions; they are
+  /// returned if the matrix does not permit so many changes of status.
   NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened) const;
-  /// Opens these nodes and closes all others that are nearing. The change of the loads at this state that follows is
-  /// the change as the iteration begins.
+  /// Opens these nodes and closes all other nearing() nodes. The resulting change of the loads at this state is the
+  /// change at the start of the iteration.
   void open(const NodeFlags& nodes, const FacingFields& fields);
 
-  /// Adds the residual of the change of the loads at the start of the iteration. Returns false if the loads act at
-  /// other points than those before; the sum is then invalid.
+  /// Adds the residual of the change of the loads at the start of the iteration. Returns false if the integration
+  /// points have changed as well; the sum is then invalid.
   ///
-  /// Loads of a correction use the works of the tangent. A large penalty makes a large load of a gap, and works of the
-  /// present state would turn this load away from the solution by the matrix.
+  /// Loads of a correction act through the virtual works of the tangent. A large penalty makes a large load of a small
+  /// gap; with the works of the present state, this load would not cancel with the solution by the matrix.
   bool residual_change(const FacingFields& fields, double dt, const AddVector& add) const;
 
  private:
+  /// No change.
   struct Nothing {};
+  /// A change of the loads at the integration points of the present state.
   struct AtPoints {
     NodalLoads loads;
   };
+  /// A change of the loads that act through the virtual works of the linearisation.
   struct ByWorks {
     NodalLoads loads;
   };
-  /// Adds the residual of a change of loads at the points of the iteration.
+  /// Adds the residual of a change of the loads at the points of the iteration.
   void residual_of(const AtPoints& change, const FacingFields& fields, double dt, const AddVector& add) const;
-  /// Loads of the true averages.
+  /// The loads of the true averages at a state.
   NodalLoads true_loads(const FacingFields& fields, ContactStatus status) const;
-  /// The error that the tractions of a correction may have: it closes the rest of a gap against the stiffness of the
-  /// adjoining elements, however large a load the penalty makes of that.
+  /// The possible error of corrected tractions [MPa]: the remaining gaps times the stiffness of the adjoining elements,
+  /// which does not depend on the penalty.
   double doubt(const NodalLoads& predicted, const NodalLoads& now) const;
-  /// Whether this status is another one by nodes that may be released or added, and not by more than `most`.
+  /// True if `status` differs from that of the matrix at no more than `most` nodes, all of which may be released or
+  /// added.
   bool may_take(const NodeFlags& status, Index most) const;
-  /// Nodes that a status has in contact and that have no linearisation.
+  /// Nodes in contact in `status` that have no linearisation.
   NodeFlags unknown_of(const NodeFlags& status) const;
-  /// Whether some nodes of a patch have no equations of their own, so that its load is no unknown of the matrix.
+  /// True if some nodes of a patch are on rigid bodies, such that its load cannot be an unknown of the matrix.
   bool is_of_rigid_bodies(const Patch& patch) const;
-  /// The status with these nodes open, and all others that are nearing in contact.
+  /// The status with these nodes open, and all other nearing() nodes in contact.
   NodeFlags status_without(const NodeFlags& open) const;
-  /// Linearises further nodes where the surfaces are now.
+  /// Linearises further nodes at the present positions of the surfaces.
   void linearise_more(const NodeFlags& nodes, const FacingFields& fields);
+  /// Linearised nodes with this status. `is_added`: true for nodes that are not in the matrix.
   IndexedVector<int> linearised(bool in_contact, bool is_added) const;
-  /// Sets the status that the loads need. Returns whether this has added nodes.
+  /// Sets the status that the loads require. Returns true if this has added nodes.
   bool change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields);
 
   const MortarSpace& space_;
   const NodalLaws& laws_;
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
-  LinearisationPoint* point_ = nullptr;  ///< the linearisation of the geometry
-  /// The change of the loads as the iteration began; std::monostate where it is unknown.
+  LinearisationPoint* point_ = nullptr;  ///< linearisation of the pass; null if there is none
+  /// The change of the loads at the start of the iteration; std::monostate if it is unknown.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;
-  bool begins_ = false;      ///< whether the iteration of the matrix is the first one
-  double last_error_ = 0;    ///< error of the tractions at the last correction; 0 before any of this status
-  bool has_matrix_ = false;  ///< whether the host's matrix belongs to this linearisation
-  HostMatrix matrix_;        ///< that
-  NodeFlags added_;          ///< nodes linearised after the matrix was formed
+  bool begins_ = false;  ///< true if the matrix belongs to the first iteration of the step
+  /// Error of the tractions at the last correction [MPa]; 0 if there was none with this status.
+  double last_error_ = 0;
+  bool has_matrix_ = false;  ///< true if the host's matrix belongs to this linearisation
+  HostMatrix matrix_;        ///< properties of the host's matrix
+  NodeFlags added_;          ///< per node: true if it was linearised after the matrix was assembled
 };
 
 }  // namespace mixture_contact

@@ -5,7 +5,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Whether two arrays of loads (fields, nodes) differ by more than a part of a field's largest entry, and by more than
+/// True if two arrays of loads (fields, nodes) differ by more than the fraction `part` of a field's largest entry plus
 /// `rounding` of the field.
 bool differs(const MatrixXd& one, const MatrixXd& other, double part, const VectorXd& rounding) {
   if (one.cols() == 0) return false;

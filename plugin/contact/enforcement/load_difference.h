@@ -1,4 +1,4 @@
-/// How far loads at nodes are from each other.
+/// Comparison of nodal loads.
 #pragma once
 
 #include "conditions/nodal_laws.h"
@@ -6,7 +6,8 @@
 
 namespace mixture_contact {
 
-/// Whether loads differ by more than a part of the largest one of their kind, and by more than rounding.
+/// True if two loads differ by more than the fraction `part` of the largest load of their kind, and by more than
+/// rounding.
 bool differ(const MortarSpace& space, const NodalLaws& laws, const NodalLoads& one, const NodalLoads& other,
             double part, const FacingFields& fields);
 

@@ -12,7 +12,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Hands on the fluxes of pairs, which are given for a time increment of 1.
+/// Calls `add` with the flux blocks of all pairs. `units`: blocks for a time increment of 1.
 void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
   const auto of_pair = [&](Index pair) {
     std::vector<TangentBlock> fluxes;
@@ -28,21 +28,23 @@ void add_fluxes(const GeometricParts& units, double dt, const AddBlock& add) {
   });
 }
 
-/// Hands on the tractions of pairs.
+/// Calls `add` with the traction blocks of all pairs.
 void add_tractions(const GeometricParts& units, const AddBlock& add) {
   for (const std::optional<GeometricTangent>& unit : units) {
     if (unit) add(with_values(unit->traction));
   }
 }
 
-/// Whether a step begins in contact around all points that overlap, given whether any node is in contact by its
-/// average. Two surfaces with conditions hold each other where either is in contact.
+/// True if a step begins with contact at all nodes around points that overlap. `any_in_contact`: whether any node is in
+/// contact by its average gap. If both surfaces have conditions, contact on either surface is sufficient to hold the
+/// bodies.
 bool closes_overlapped(const NodalLaws& laws, bool any_in_contact) {
   if (laws.close_overlapped) return !(laws.has_twin() && any_in_contact);
   return laws.holds_rigid_body && !laws.has_twin() && !any_in_contact;
 }
 
-/// Has the patches of nodes used: those of the facet pairs of all points that the loads of a node act at.
+/// Calls `use` with the patch of each node, which contains the facets of all pairs whose points are in the node's
+/// averages.
 void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact,
                          const std::function<void(Index node, const Patch&)>& use) {
   const auto around = space.facing().around(in_contact);
@@ -81,8 +83,8 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 }
 
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
-  // Where iterations begin: those that follow linearise at their own state. Not with unknown multipliers, whose rows
-  // are those of all nodes.
+  // The first iteration may reuse the last linearisation; later iterations linearise at their own state. Unknown
+  // multipliers exclude reuse, because their rows include all nodes.
   const bool begins = !point_ && method_.predicts();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
@@ -114,8 +116,9 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
   NodeFlags status = updated_status(now, gaps);
-  // Twice the load less the multiplier of before, the trial of a node says nothing of the solution that an augmentation
-  // has taken over: what bears load there stays in contact until an iteration has changed it.
+  // After an augmentation, the trial of a node is about twice its load minus the previous multiplier, and does not show
+  // whether the node is in contact. Nodes with a compressive multiplier therefore stay in contact until an iteration
+  // has changed them.
   for (Index node = 0; augmented_ && node < status.count(); ++node) {
     status[node] = status[node] || (gaps.faces(node) && laws_.multipliers.traction[node] < 0);
   }
@@ -146,14 +149,14 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   ContactStatus status = active_set_.next(before.in_contact, beginning_status(before, gaps), predicted);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          predicted ? &before : nullptr);
-  // Unknown multipliers are what an iteration predicts: there is nothing to tell apart.
+  // If multipliers are unknowns, the predicted loads are the loads themselves.
   const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
   const bool augmented = std::exchange(augmented_, false);
   next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
   next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
   if (!predicted && !augmented && method_.predicts()) {
     drop_new_fluxes(laws_.multipliers, next.geometric_flux);
-    // A node that closes around points that overlap is pulled.
+    // Nodes that close around overlapping points may be in tension.
     const VectorXd traction = admissible(laws_.normal(), next.geometric_traction);
     next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
   }
@@ -218,7 +221,7 @@ void MovingGeometry::end_iterations() {
 }
 
 void MovingGeometry::forget_past() {
-  geometric_.reset();  // where the surfaces have not moved since it was made
+  geometric_.reset();  // it remains if the surfaces have not moved since its computation
   last_ = {};
 }
 
@@ -231,7 +234,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   NodalGaps gaps = space_.gaps();
   if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
-  if (!method_.predicts()) return true;  // predicted loads are the loads; what is left of gaps, gaps() tells
+  if (!method_.predicts()) return true;  // the loads are unknowns and need no test; gaps() tests the gaps
   if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
   if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
   NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
@@ -296,14 +299,14 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
 void MovingGeometry::for_each_coupling(const Couplings& use) const {
   const auto use_around = [&](Index node, const Patch& patch) { use_node(method_, space_, node, patch, use); };
   const NodeFlags in_contact = point_ ? point_->loads.in_contact : active_set_.initial(space_.gaps());
-  if (geometric_ && point_) {  // the pairs are still those that the nodes were linearised with
+  if (geometric_ && point_) {  // the pairs are those with which the nodes were linearised
     for (Index node = 0; node < point_->nodes.count(); ++node) {
       if (!point_->nodes[node].empty()) use_around(node, point_->nodes[node].patch);
     }
   } else {
     for_each_node_patch(space_, in_contact, use_around);
   }
-  // The change of the geometry couples the nodes of a pair also where no load at a node does.
+  // The geometric part also couples the nodes of pairs that no nodal load couples.
   if (geometric_ && use.rows) {
     std::for_each(geometric_->fluxes.begin(), geometric_->fluxes.end(), use.rows);
     return use.rows(geometric_->tractions);

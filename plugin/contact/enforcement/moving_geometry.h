@@ -1,4 +1,4 @@
-/// Surfaces that move: status and linearised gaps hold during a Newton iteration, and the loads change the geometry.
+/// Evaluation of a pass whose surfaces move. Contact status and linearised gaps are constant during a Newton iteration.
 #pragma once
 
 #include "enforcement/contact_geometry.h"
@@ -10,9 +10,10 @@
 
 namespace mixture_contact {
 
+/// The evaluation of a pass whose surfaces move.
 class MovingGeometry : public ContactGeometry {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   MovingGeometry(MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set, const EnforcementMethod& method)
       : space_(space), laws_(laws), active_set_(active_set), method_(method), held_(space, laws, active_set, method) {}
 
@@ -36,42 +37,46 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  /// Decides stick and slip from the loads at a state.
+  /// Function that decides stick and slip from the loads at a state.
   using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
-  /// The state of an iteration without its linearisation and the loads of the geometric part.
+  /// The linearisation point of an iteration, still without the linearisation of averages and the loads of the
+  /// geometric part. `predicted`: loads that the previous iteration predicts at this state; null if there is none.
   LinearisationPoint evaluated_at(const FacingFields& fields, NodalLoads averages, const DecideFriction& decide,
                                   const NodalLoads* predicted) const;
-  /// Finds the points of an iteration that begins, and their weights. Returns whether there are more than before.
+  /// Finds the integration points of a new iteration and their weights. Returns true if other pairs were found.
   bool find_points(const FacingPositions& x);
-  /// Drops the linearisation; the next iterations may reuse it.
+  /// Removes the linearisation, but keeps it for reuse by the next iterations.
   void let_go();
-  /// Linearises at a state, and holds the result for an iteration.
+  /// Linearises at a point, and keeps the result for an iteration.
   void hold(LinearisationPoint point, const FacingFields& fields);
-  /// The held geometric part of the tangent for these positions; null if there is none.
+  /// The geometric part of the tangent if it was computed at these positions; else null.
   const GeometricPart* geometric_at(const FacingPositions& x) const;
+  /// The linearised averages at a state.
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
+  /// Stick and slip at the start of iterations.
   FrictionStatus initial_friction(const NodalLoads& now) const {
     return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
   }
-  /// Averages of a state with the status that iterations begin with there.
+  /// The averages at a state, with the status with which iterations begin.
   NodalLoads initial_averages(const FacingFields& fields) const;
-  /// Status of an iteration that begins at the present loads and gaps (see ContactPass::begin_iteration()).
+  /// The contact status with which an iteration begins (see ContactPass::begin_iteration()). `now`: present loads.
   NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
-  /// Status by the present loads and gaps.
+  /// The contact status by the present loads and gaps.
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
-  /// Multipliers of friction, convected with the surface since the start of the step.
+  /// The friction multipliers, convected with the surface since the start of the step.
   Matrix3Xd present_multipliers(const NodalFriction& friction) const;
 
   MortarSpace& space_;
   const NodalLaws& laws_;
   ActiveSet& active_set_;
   const EnforcementMethod& method_;
-  std::optional<LinearisationPoint> point_;  ///< of the iteration, if one has begun, or of the loads that are held
-  std::optional<GeometricPart> geometric_;   ///< at the point, until the surfaces move
-  LastLinearisation last_;                   ///< after these two have been dropped
-  HeldLinearisation held_;                   ///< at the point
-  bool augmented_ = false;                   ///< since the start of the last iteration
+  /// Linearisation point of the present iteration, or of held loads; empty if there is none.
+  std::optional<LinearisationPoint> point_;
+  std::optional<GeometricPart> geometric_;  ///< geometric part at `point_`; empty after the surfaces have moved
+  LastLinearisation last_;                  ///< the last point and geometric part, for reuse
+  HeldLinearisation held_;                  ///< corrected loads of the linearisation at `point_`
+  bool augmented_ = false;  ///< true if the multipliers have been augmented since the start of the last iteration
 };
 
 }  // namespace mixture_contact

@@ -10,12 +10,12 @@
 namespace mixture_contact {
 namespace {
 
-/// The largest of the amounts, which is no number where one of them is none.
+/// The largest absolute value; NaN if an entry is NaN.
 double largest(const MatrixXd& values) {
   return values.size() == 0 ? 0 : values.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
 }
 
-/// What fields range over on both surfaces.
+/// The range of each field on both surfaces.
 Eigen::RowVectorXd ranges(const SurfaceFields& primary, const SurfaceFields& secondary) {
   Eigen::RowVectorXd range(primary.scalar.cols());
   for (Index field = 0; field < range.size(); ++field) {
@@ -26,7 +26,7 @@ Eigen::RowVectorXd ranges(const SurfaceFields& primary, const SurfaceFields& sec
   return range;
 }
 
-/// Whether no value of a field (nodes, fields) has changed by more than this.
+/// True if no value of a field (nodes, fields) has changed by more than `most`.
 bool are_near(const MatrixXd& one, const MatrixXd& other, const Eigen::RowVectorXd& most) {
   for (Index field = 0; field < one.cols(); ++field) {
     if (!(largest(one.col(field) - other.col(field)) <= most[field])) return false;
@@ -56,7 +56,7 @@ double shortest_edge(const Facet& facet, const Matrix3Xd& x) {
   return shortest;
 }
 
-/// Of all facets that face each other.
+/// The shortest edge of all facets that face each other.
 double shortest_edge(const FacingPairs& facing, const LinearisationSource& at) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const FacetPair& pair : facing.pairs()) {
@@ -66,7 +66,7 @@ double shortest_edge(const FacingPairs& facing, const LinearisationSource& at) {
   return shortest;
 }
 
-/// Whether the surfaces have not moved by more than a part of their facets.
+/// True if the surfaces have not moved by more than the fraction `same` of their facets' shortest edge.
 bool are_in_same_place(const LinearisationSource& one, const LinearisationSource& other, const FacingPairs& facing,
                        double same) {
   const double motion = largest_motion(one.primary.position, other.primary.position) +
@@ -74,7 +74,7 @@ bool are_in_same_place(const LinearisationSource& one, const LinearisationSource
   return motion <= same * shortest_edge(facing, other);
 }
 
-/// Flags the nodes whose loads (nodes, fields) differ.
+/// Flags the nodes whose loads (nodes, fields) differ by more than the fraction `same` of the largest load.
 void flag_other_loads(NodeFlags& flags, const MatrixXd& one, const MatrixXd& other, double same) {
   for (Index field = 0; field < one.cols(); ++field) {
     const double most = same * largest(other.col(field));
@@ -84,7 +84,7 @@ void flag_other_loads(NodeFlags& flags, const MatrixXd& one, const MatrixXd& oth
   }
 }
 
-/// Flags the nodes of another status.
+/// Flags the nodes whose contact status differs.
 void flag_other_status(NodeFlags& flags, const ContactStatus& one, const ContactStatus& other) {
   for (Index node = 0; node < flags.count(); ++node) {
     if (one.in_contact[node] != other.in_contact[node] || one.flux_coupled[node] != other.flux_coupled[node])
@@ -92,7 +92,7 @@ void flag_other_status(NodeFlags& flags, const ContactStatus& one, const Contact
   }
 }
 
-/// Flags the nodes of facets whose points are weighted otherwise.
+/// Flags the nodes of facets whose points have different weights.
 void flag_other_weights(NodeFlags& flags, const LoadCarriers& one, const LoadCarriers& other,
                         const IndexedVector<Facet>& facets) {
   const auto carriers = [](const LoadCarriers& of, Index facet) { return of.empty() ? FacetVector() : of[facet]; };
@@ -104,7 +104,7 @@ void flag_other_weights(NodeFlags& flags, const LoadCarriers& one, const LoadCar
   }
 }
 
-/// The largest of penalties in units of what they are measured against; those of no penalty do not count.
+/// The largest ratio of a penalty to its stiffness or conductance; entries without a penalty do not count.
 double largest_ratio(const MatrixXd& penalties, const MatrixXd& measure) {
   return penalties.size() == 0 ? 0 : (penalties.array() > 0).select(penalties.cwiseQuotient(measure), 0.0).maxCoeff();
 }

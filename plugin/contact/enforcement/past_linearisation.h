@@ -1,4 +1,4 @@
-/// The last linearisation, and its parts that are still valid at another state.
+/// The last linearisation, and the tests which of its parts can be reused at another state.
 #pragma once
 
 #include "enforcement/geometric_rows.h"
@@ -8,57 +8,59 @@
 
 namespace mixture_contact {
 
-/// The largest relative change after which a linearisation may be reused: motions relative to the shortest edge of a
-/// facet, values of fields to their range, loads to the largest one.
+/// The largest relative change up to which a linearisation may be reused: motions relative to the shortest edge of a
+/// facet, field values relative to their range, loads relative to the largest load.
 ///
-/// A tangent with the relative error delta leaves the part delta of the increment of a gap. The penalty eps makes a
-/// load of this gap, and delta of this load acts sideways and moves the bodies by the part eps delta^2/k of the
-/// increment, with the stiffness k of the adjoining elements (for a flux, the conductance). This part has to be at most
-/// a tenth, which gives delta = 1/1000. The sizes are choices.
+/// A tangent with the relative error delta leaves the fraction delta of a gap's increment. The penalty eps makes a load
+/// of this gap, of which the fraction delta acts sideways and moves the bodies by the fraction eps delta^2/k of the
+/// increment, where k is the stiffness of the adjoining elements (for a flux, the conductance). This fraction has to be
+/// at most a tenth; the change is also limited to 1/1000. The limits are choices.
 double same_to_linearisation(const NodalLaws& laws);
 
-/// The source of a linearisation.
+/// The data from which a linearisation was computed.
 struct LinearisationSource {
   IndexedVector<std::array<Index, 3>> pairs;  ///< primary facet, secondary facet, number of points
-  IndexedVector<int> sub_facets;              ///< that the points lie on, pair by pair
-  LoadCarriers carriers;                      ///< which weight the points
-  SurfaceFields primary;                      ///< the state
+  IndexedVector<int> sub_facets;              ///< numbers of the linear pieces of the points, pair by pair
+  LoadCarriers carriers;                      ///< nodes that carry load in the weights of the points
+  SurfaceFields primary;                      ///< state of the primary surface
+  /// State of the secondary surface.
   SurfaceFields secondary;
   ContactStatus status;
-  VectorXd traction;  ///< of the geometric part
-  MatrixXd flux;      ///< alike
+  VectorXd traction;  ///< normal tractions t_a in the geometric part of the tangent
+  MatrixXd flux;      ///< fluxes in the geometric part of the tangent
 
-  /// The source of a linearisation that is made at a point, with averages and loads at the present integration points.
+  /// The data of a linearisation at `point` with the averages and loads at the present integration points.
   LinearisationSource(const LinearisationPoint& point, const MortarSpace& space);
-  /// A linearisation made of another one replaces it at some nodes. The state stays the older one: differences are
-  /// measured from it, so that many small ones add up.
+  /// Notes that some nodes have been linearised again from the data `by`. The state remains the older one: later
+  /// changes are measured from it, so that many small changes add up.
   void replace_at(const NodeFlags& nodes, const LinearisationSource& by);
 };
 
-/// The geometric part of the tangent in a time increment of 1, by pairs of facets and by nodes.
+/// The geometric part of the tangent for a time increment of 1, by pairs of facets and by nodes.
 struct GeometricPart {
   GeometricParts pairs;
   NodeRows tractions;
-  IndexedVector<NodeRows> fluxes;  ///< per field; none in a symmetric tangent
+  IndexedVector<NodeRows> fluxes;  ///< rows of each flux, per field; empty for a symmetric tangent
   LinearisationSource source;
 
   std::size_t memory() const;
 };
 
-/// A linearisation that has been held.
+/// A complete linearisation of an earlier iteration.
 struct PastLinearisation {
   LinearisationPoint point;
   GeometricPart geometric;
 };
 
-/// The last linearisation, in the two parts that the contact drops: the geometric part when the surfaces move, the
-/// point when its iterations end.
+/// Keeps the last linearisation in two parts: the geometric part, which a pass discards when its surfaces move, and the
+/// point, which it discards when its iterations end.
 class LastLinearisation {
  public:
-  /// Takes over a dropped part, if there is one.
+  /// Takes over the geometric part, if there is one.
   void take_over(std::optional<GeometricPart>& held);
+  /// Takes over the linearisation point, if there is one.
   void take_over(std::optional<LinearisationPoint>& held);
-  /// Hands the linearisation out; none unless both parts are here.
+  /// Returns the linearisation and no longer keeps it; empty unless both parts are present.
   std::optional<PastLinearisation> take();
 
   std::size_t memory() const;
@@ -68,9 +70,10 @@ class LastLinearisation {
   std::optional<LinearisationPoint> point_;
 };
 
-/// The nodes with a change of more than a part `same` from the source of a linearisation to a point. Status, loads and
-/// weights change single nodes; the state and the points change all. Friction changes all, because each step measures
-/// slips from its start.
+/// The nodes whose linearisation has to be computed again: those at which a quantity has changed by more than the
+/// fraction `same` between the data of `past` and `now`. Status, loads and weights affect single nodes; a changed state
+/// or changed points affect all nodes. With friction, all nodes have changed, because slips are measured from the start
+/// of each step.
 NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,
                         const MortarSpace& space, double same);
 

@@ -5,10 +5,10 @@
 namespace mixture_contact {
 namespace {
 
-/// Rows of four nodes, which are whole packets of a processor's registers, as three rows are not.
+/// Rows of four nodes. Twelve rows fill the registers of a processor completely, unlike three.
 using FourNodes = Eigen::Matrix<double, 12, 1>;
 
-/// What every four nodes have in a vector over the rows of a patch.
+/// A vector over the rows of a patch in pieces of four nodes.
 IndexedVector<FourNodes> by_four_nodes(const VectorXd& values) {
   IndexedVector<FourNodes> rows;
   rows.reserve(indexing::entries(values.size() / 12));
@@ -16,7 +16,7 @@ IndexedVector<FourNodes> by_four_nodes(const VectorXd& values) {
   return rows;
 }
 
-/// The work of traction and friction at the nodes of a patch as both vary, by columns.
+/// The derivative of the virtual work of traction and friction at the nodes of a patch, when both vary.
 MatrixXd work_of_both(const VectorXd& traction_work, const VectorXd& d_traction, const VectorXd& friction_work,
                       const Matrix3Xd& d_friction) {
   const IndexedVector<FourNodes> traction = by_four_nodes(traction_work);
@@ -91,7 +91,7 @@ void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& li
 LoadBlock PenaltyMethod::flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                       double dt) const {
   FluxLaw law = laws().scalar(field).flux(loads, node, laws().enforcing(field, node));
-  // The variation is that of the field's jump where nothing else drives the flux.
+  // If no other field drives the flux, its variation is proportional to that of the field's jump.
   const double per_jump = law.d_jump[field] > 0 ? law.d_jump[field] : 1.0;
   law.d_jump /= per_jump;
   law.d_own /= per_jump;

@@ -1,13 +1,14 @@
-/// Penalties, with multipliers that only augmentations change.
+/// Enforcement by penalties, with multipliers that only augmentations change.
 #pragma once
 
 #include "enforcement/enforcement_method.h"
 
 namespace mixture_contact {
 
-/// Loads are lambda + eps times gap or jump, linearised within an iteration: the load predicted by the linear solve is
-/// not multiplied by the second-order error of the gap times a large penalty, which would make it useless as a measure
-/// of contact and as a geometric stiffness (mixed integration points, Magisano, Leonetti and Garcea 2017).
+/// The load of a node is lambda + eps times gap or jump, linearised within an iteration. The gap that a linear solve
+/// leaves has a second-order error, which a large penalty would turn into a large error of the load. The predicted load
+/// does not contain this error, and is suitable for deciding contact and for the geometric stiffness (mixed integration
+/// points, Magisano, Leonetti and Garcea 2017).
 class PenaltyMethod : public EnforcementMethod {
  public:
   using EnforcementMethod::EnforcementMethod;
@@ -19,7 +20,7 @@ class PenaltyMethod : public EnforcementMethod {
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override { use(patch); }
   void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
                  const AddVector& /*add*/) const override {}
-  /// Friction is no scalar, and the symmetric part of a product is none.
+  /// True without friction (which is a vector) and without symmetrisation, whose result is no product of two vectors.
   bool has_load_blocks() const override { return !effects().may_rub() && !space().symmetric(); }
   NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                            const VectorXd& weights, double dt) const override;
@@ -29,9 +30,9 @@ class PenaltyMethod : public EnforcementMethod {
                             NodeTangent& tangent) const;
   LoadBlock flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                          double dt) const;
-  /// dt_T/du of a node that slides, at fixed pressures.
+  /// The derivative dt_T/du of a sliding node at constant pressures.
   Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
-  /// Adds the variation of its friction with the pressures of the fluid.
+  /// Adds the variation of a sliding node's friction with the fluid pressures.
   void add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                           std::vector<TangentBlock>& blocks) const;
 };

@@ -5,7 +5,7 @@
 namespace mixture_contact {
 namespace {
 
-/// A node's value; where it is zero (impermeable facets around it), any of the surface's that is not.
+/// The value of a node. If it is zero (impermeable facets around the node), the largest value of the surface, or one.
 double unit_of(const Eigen::Ref<const VectorXd>& values, Index node) {
   if (values[node] > 0) return values[node];
   const double largest = values.maxCoeff();
@@ -18,7 +18,7 @@ double flux_unit(const NodalLaws& laws, int field, Index node) {
   return unit_of(laws.penalties().conductance.row(field).transpose(), node);
 }
 
-/// The block of a multiplier of the traction without nodes.
+/// The block of a traction multiplier without nodes.
 MatrixXd alone(const LocalLayout& layout, double value) {
   MatrixXd block = MatrixXd::Zero(layout.size(), layout.size());
   block(layout.traction_multiplier(), layout.traction_multiplier()) = value;
@@ -62,8 +62,8 @@ NodalLoads UnknownMultipliers::predicted_loads(const LinearisationPoint& point, 
 }
 
 VectorXd UnknownMultipliers::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
-  // Row k A dg_a against column k T_a, with A dg_a = -T_a.dx where the surfaces are flat, and A djump_a = F_a.dphi:
-  // the sign of the traction's weight makes the two alike.
+  // The row of a multiplier is k A dg_a and its column k T_a, where A dg_a = -T_a.dx if the surfaces are flat, and A
+  // djump_a = F_a.dphi. The sign of the traction's weight makes row and column equal.
   const MultiplierLayout layout = multiplier_layout(laws());
   const VectorXd all = nodal_areas(space().facing().primary(), x1);
   VectorXd weights(layout.size());
@@ -122,7 +122,7 @@ void UnknownMultipliers::for_each_coupling(const Patch& patch, const UsePatch& u
 
 void UnknownMultipliers::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                               const VectorXd& weights, std::vector<TangentBlock>& blocks) const {
-  // The residual holds lambda_a traction_work, with lambda = k mu, and the condition.
+  // The residual contains lambda_a traction_work, with lambda = k mu, and the condition.
   const double weight = weights[multiplier_layout(laws()).traction(node)];
   const ConditionValue condition = traction_condition(node, loads);
   const Patch own_alone = linear.patch.of_multipliers();
@@ -144,7 +144,7 @@ void UnknownMultipliers::add_traction_tangent(Index node, const NodeLinearisatio
 void UnknownMultipliers::add_flux_tangent(int field, Index node, const NodeLinearisation& linear,
                                           const NodalLoads& loads, const VectorXd& weights, double dt,
                                           std::vector<TangentBlock>& blocks) const {
-  // The residual holds dt lambda_k A_a weights, with lambda = k mu, and the condition.
+  // The residual contains dt lambda_k A_a weights, with lambda = k mu, and the condition.
   const double weight = dt * weights[multiplier_layout(laws()).flux(node, field)];
   const ConditionValue condition = flux_condition(field, node, loads);
   const Patch alone = linear.patch.of_multipliers();

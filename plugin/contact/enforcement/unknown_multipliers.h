@@ -1,4 +1,4 @@
-/// Multipliers as unknowns of the Newton solve.
+/// Enforcement by multipliers that are unknowns of the Newton solve.
 #pragma once
 
 #include "conditions/multiplier.h"
@@ -6,9 +6,9 @@
 
 namespace mixture_contact {
 
-/// Loads are the multipliers. Each has an equation: gap or jump = 0, or a membrane's law, in contact, mu = 0 elsewhere
-/// (conditions/multiplier.h), with weights that give the equation the units of the residual of its field, and the
-/// tangent similar rows and columns.
+/// The loads are the multipliers. The equation of a multiplier is gap or jump = 0, or a membrane's law, in contact, and
+/// mu = 0 elsewhere (conditions/multiplier.h). Weights give the equation the unit of the residual of its field, and the
+/// rows and columns of the tangent a similar size.
 class UnknownMultipliers : public EnforcementMethod {
  public:
   using EnforcementMethod::EnforcementMethod;
@@ -17,7 +17,8 @@ class UnknownMultipliers : public EnforcementMethod {
   NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
   bool predicts() const override { return false; }
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const override;
-  /// Each node with its multipliers alone: loads are unknowns, independent of displacements and fields.
+  /// Couples each node with its own multipliers only, because loads are unknowns that do not depend on displacements
+  /// and fields.
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override;
   void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const override;
   bool has_load_blocks() const override { return false; }
@@ -27,20 +28,22 @@ class UnknownMultipliers : public EnforcementMethod {
  private:
   ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
   ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
-  /// The term in place of the gap in the equation of a field: the jump of a continuous field, or the flux of a law.
+  /// The quantity that takes the place of the gap in the equation of a field: the jump of a continuous field, or the
+  /// flux of a law.
   FluxLaw driving(int field, Index node, const NodalLoads& loads) const;
-  // Blocks of the multipliers alone, and of each node with them
+  // Add the blocks of the multipliers, and of each node with the multipliers.
   void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                             const VectorXd& weights, std::vector<TangentBlock>& blocks) const;
   void add_flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                         const VectorXd& weights, double dt, std::vector<TangentBlock>& blocks) const;
 };
 
-/// The order of the unknowns of a surface.
+/// The order of the unknown multipliers of a surface.
 MultiplierLayout multiplier_layout(const NodalLaws& laws);
-/// The unknowns mu = lambda/k in that order [mm, and the units of the fields], with k the stiffness or conductance of
-/// the adjoining elements.
+/// The unknowns mu = lambda/k in the order of multiplier_layout() [mm, or unit of the field], where k is the stiffness
+/// or conductance of the adjoining elements.
 VectorXd scaled_multipliers(const NodalLaws& laws);
+/// Sets the multipliers from unknowns mu in the order of multiplier_layout().
 void set_scaled_multipliers(NodalLaws& laws, const VectorXd& mu);
 
 }  // namespace mixture_contact

@@ -10,8 +10,8 @@
 namespace mixture_contact {
 namespace {
 
-/// A residual at nodes, summed over what is around them, pairs of facets that exchange the same fields or patches: a
-/// host takes a node once, not once for everything around it.
+/// The nodal sum of the residuals of pairs or patches that exchange the same fields. The host then receives each node
+/// once.
 class NodalResidual {
  public:
   NodalResidual(IndexedVector<int> fields, const FacingFields& surfaces)
@@ -19,13 +19,14 @@ class NodalResidual {
         primary_(zero_sums(surfaces.primary.position.cols())),
         secondary_(zero_sums(surfaces.secondary.position.cols())) {}
 
-  /// Adds that of a part: of these nodes, in their order.
+  /// Adds the local residual of a pair or patch with these nodes, in order.
   template <class Nodes>
   void add(const Nodes& primary, const Nodes& secondary, const VectorXd& local) {
     add_nodes(secondary, local, add_nodes(primary, local, 0, primary_), secondary_);
   }
 
-  /// Hands over one vector over all nodes that have a part, if any have: hosts do not take empty ones.
+  /// Calls `add` once with the sum over all nodes that have a part; not at all if there is none, because hosts do not
+  /// accept empty vectors.
   void hand_over(const AddVector& add) const {
     const Patch patch{nodes_of(primary_), nodes_of(secondary_), fields_};
     if (patch.primary.empty() && patch.secondary.empty()) return;
@@ -35,12 +36,12 @@ class NodalResidual {
   }
 
  private:
-  /// Of one surface: per node its block of a local vector, and whether it has a part.
+  /// The sums of one surface: a column with the block of each node, and whether the node has a part.
   struct Sums {
     MatrixXd values;
     NodeFlags has_part;
   };
-  /// Returns the entry after those of the nodes.
+  /// Adds the blocks of these nodes, which start at `entry` of the local vector. Returns the entry after them.
   template <class Nodes>
   static Index add_nodes(const Nodes& nodes, const VectorXd& local, Index entry, Sums& sums) {
     const Index rows = sums.values.rows();
@@ -73,7 +74,7 @@ class NodalResidual {
   Sums secondary_;
 };
 
-/// Sets the part of the tractions.
+/// Sets the traction part of a geometric tangent.
 void set_tractions(const MortarSpace& space, const VaryingPair& varying, TractionTangent& traction) {
   MatrixXd& values = traction.block.values;
   traction.flat.reset();
@@ -88,7 +89,7 @@ void set_tractions(const MortarSpace& space, const VaryingPair& varying, Tractio
   for (const auto& [point, vary] : varying.points) add_traction_tangent(point.kinematics, vary, point.loads, values);
 }
 
-/// Sets the part of the k-th flux.
+/// Sets the part of the k-th flux of a geometric tangent.
 void set_flux(const VaryingPair& varying, Index k, FluxTangent& flux) {
   MatrixXd& values = flux.block.values;
   flux.flat.reset();
@@ -102,7 +103,7 @@ void set_flux(const VaryingPair& varying, Index k, FluxTangent& flux) {
     add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), layout, values);
 }
 
-/// Sets the nodes of a patch with one of its fields.
+/// Sets `of_field` to the nodes of a patch with one of its fields.
 void set_field(const Patch& patch, int field, bool with_displacements, Patch& of_field) {
   of_field.primary = patch.primary;
   of_field.secondary = patch.secondary;
@@ -146,7 +147,7 @@ void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, cons
                            GeometricTangent& tangent) {
   TangentBlock& traction = tangent.traction.block;
   space.facing().set_patch(pair, traction.rows);
-  // In a symmetric tangent what is left of the fluxes' part depends on displacements alone.
+  // In a symmetric tangent, the fluxes have no geometric part.
   tangent.fluxes.resize(space.symmetric() ? 0 : traction.rows.fields.size());
   ScopedTimer laps(space.effect_times(), space.effects().scalar_fields(), stands_for(space.facing(), pair));
   set_tractions(space, varying, tangent.traction);
@@ -192,7 +193,7 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
       add_residual(facing.kinematics(pair, q), here, layout, residual);
     }
   };
-  std::map<std::vector<int>, NodalResidual> sums;  // by the fields that pairs exchange
+  std::map<std::vector<int>, NodalResidual> sums;  // by the exchanged fields of the pairs
   const auto sum_up = [&](Index index, const VectorXd& residual) {
     const FacetPair& pair = facing.pairs()[index];
     if (!carries_load(pair)) return;

@@ -8,38 +8,42 @@
 
 namespace mixture_contact {
 
-/// Residual at the nodes of pairs of facets that carry load, in one part for all pairs that exchange the same fields.
+/// Calls `add` with the residual of all pairs of facets that carry load, one part for all pairs that exchange the same
+/// fields.
 void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields, double dt,
                     const AddVector& add);
 
-/// Residual of loads at the nodes of a linearisation, whose works are those of the state that it was made at.
+/// Calls `add` with the residual of nodal loads that act through the virtual works of a linearisation.
 void linear_residual(const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const FacingFields& fields,
                      double dt, const AddVector& add);
 
-/// The geometric part of the tangent of one effect of a pair. `Flat`: FlatForces or FlatFlows.
+/// The geometric part of the tangent of one effect of a pair. Flat: FlatForces or FlatFlows.
 template <class Flat>
 struct EffectTangent {
-  TangentBlock block;        ///< without values where `flat` has them
-  std::optional<Flat> flat;  ///< of a flat pair, except in a symmetric tangent
+  TangentBlock block;        ///< the block; without values if `flat` contains them
+  std::optional<Flat> flat;  ///< terms of a flat pair; empty for other pairs and for a symmetric tangent
 };
 using TractionTangent = EffectTangent<FlatForces>;
 using FluxTangent = EffectTangent<FlatFlows>;
 
-/// Blocks with their values.
+/// The block of a tangent with its values.
 TangentBlock with_values(const TractionTangent& tangent);
 TangentBlock with_values(const FluxTangent& tangent);
 
-/// The part of the tangent in which loads stay and the geometry changes, of a pair.
+/// The geometric part of the tangent of a pair: the derivative of the residual at constant nodal loads.
 struct GeometricTangent {
-  TractionTangent traction;         ///< friction included
-  std::vector<FluxTangent> fluxes;  ///< proportional to the time increment; none in a symmetric tangent
+  TractionTangent traction;  ///< includes friction
+  /// Per exchanged field, proportional to the time increment; empty for a symmetric tangent.
+  std::vector<FluxTangent> fluxes;
 };
 
-/// Geometric tangents of the pairs of a pass, in their order; empty for a pair that carries no load.
+/// Geometric tangents of the pairs of a pass, in their order. Pairs that carry no load have no entry.
 using GeometricParts = IndexedVector<std::optional<GeometricTangent>>;
 
+/// The geometric tangent of a pair with the loads in `varying`.
 GeometricTangent geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying);
-/// Sets `tangent` to the geometric tangent of a pair and reuses its memory, which may be another pair's.
+/// Sets `tangent` to geometric_tangent() with the same arguments. It reuses the memory of `tangent`, which may be
+/// another pair's.
 void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, const VaryingPair& varying,
                            GeometricTangent& tangent);
 

@@ -7,7 +7,7 @@
 namespace mixture_contact {
 namespace {
 
-/// By which part two lengths that are added up may be off.
+/// Relative error that is allowed for in the sum of two lengths.
 constexpr double rounding = 1e-6;
 
 }  // namespace

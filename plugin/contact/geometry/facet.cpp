@@ -23,7 +23,7 @@ struct Value {
 /// Signs of the corner coordinates of a quadrilateral, in node order.
 constexpr std::array<std::array<double, 2>, 4> corner_sign{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 
-/// Nodes of the 3 x 3 grid of a quad9, in node order, as positions -1, 0, 1.
+/// Positions (-1, 0 or 1) of the nodes of a quad9 on its 3 x 3 grid, in node order.
 constexpr std::array<std::array<int, 2>, 9> quad9_grid{
     {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}}};
 
@@ -65,7 +65,7 @@ ShapeFunctions tri6(const Vector2d& xi) {
 double tri6_at_centre(Index node) { return (node < 3 ? -1.0 : 4.0) / 9.0; }
 
 ShapeFunctions tri7(const Vector2d& xi) {
-  // Those of tri6 less what they are worth at the centre times the bubble 27 L_0 L_1 L_2, which is 1 there.
+  // The functions of tri6 minus their values at the centre times the bubble 27 L_0 L_1 L_2, which is 1 at the centre.
   const ShapeFunctions area = tri3(xi);
   const ShapeFunctions edges = tri6(xi);
   const FacetVector& L = area.value;
@@ -106,8 +106,8 @@ ShapeFunctions quad9(const Vector2d& xi) {
 }
 
 ShapeFunctions quad8(const Vector2d& xi) {
-  // The serendipity functions are those of quad9 with the centre function shared out so that the sum stays 1:
-  // -1/4 of it to each corner, 1/2 to each mid-edge.
+  // The serendipity functions are those of quad9, with the function of the centre node distributed such that the sum
+  // stays 1: -1/4 of it to each corner, 1/2 to each mid-edge node.
   const ShapeFunctions full = quad9(xi);
   ShapeFunctions shape = sized(FacetType::quad8);
   for (Index a = 0; a < 8; ++a) {
@@ -274,10 +274,10 @@ FacetHessian shape_hessian(FacetType type, const Vector2d& xi) {
 
 namespace {
 
-/// A place on a linear piece of a facet.
+/// A point on a linear piece of a facet.
 struct SubPlace {
-  Vector2d xi;            ///< in the piece's own parametric coordinates
-  Eigen::Matrix2d slope;  ///< derivatives of these with the facet's
+  Vector2d xi;            ///< in the parametric coordinates of the piece
+  Eigen::Matrix2d slope;  ///< derivatives of these coordinates with those of the facet
 };
 
 SubPlace place_on(const SubFacet& piece, FacetType type, const Vector2d& xi) {
@@ -285,12 +285,12 @@ SubPlace place_on(const SubFacet& piece, FacetType type, const Vector2d& xi) {
   const bool triangle = is_triangle(piece.type);
   Eigen::Matrix2d edges;
   edges << corner(1) - corner(0), corner(triangle ? 2 : 3) - corner(0);
-  const double size = triangle ? 1 : 2;  // of the piece's domain, which begins at its first corner
+  const double size = triangle ? 1 : 2;  // side length of the piece's parametric domain
   const Eigen::Matrix2d slope = size * edges.inverse();
   return {parametric_node(piece.type, 0) + slope * (xi - corner(0)), slope};
 }
 
-/// Whether two nodes end a common edge of a linear piece of a facet.
+/// True if two nodes are the ends of an edge of a linear piece of the facet.
 bool adjacent(FacetType type, int one, int two) {
   const auto ends_with_both = [&](const SubFacet& piece) {
     const auto last = piece.nodes.end();

@@ -16,13 +16,14 @@ enum class FacetType { tri3, tri6, tri7, quad4, quad8, quad9 };
 /// Number of nodes of a facet type.
 int node_count(FacetType type);
 
-/// Whether the facet is a triangle (else a quadrilateral).
+/// True for triangles, false for quadrilaterals.
 bool is_triangle(FacetType type);
 
 /// Number of corners of a facet, which are the first nodes of every type.
 int corner_count(FacetType type);
 
-/// Whether a facet is flat wherever its nodes are: its shape functions have the same slopes everywhere.
+/// True if a facet of this type is flat for all positions of its nodes, because its shape functions have constant
+/// gradients (tri3).
 bool is_flat(FacetType type);
 
 /// Polynomial degree along an edge: 1 or 2.
@@ -31,7 +32,7 @@ int edge_degree(FacetType type);
 /// The facet type with this many nodes on a triangle or a quadrilateral; empty if there is none.
 std::optional<FacetType> facet_type(bool triangle, int nodes);
 
-/// Parametric coordinates of the middle of a facet.
+/// Parametric coordinates of the centre of a facet.
 Vector2d parametric_centre(FacetType type);
 
 /// Parametric coordinates of each node, in node order.
@@ -42,11 +43,11 @@ double distance_outside(FacetType type, const Vector2d& xi);
 
 /// Shape functions N_a(xi) and their derivatives with xi.
 struct ShapeFunctions {
-  FacetVector value;       ///< N_a, shape (n)
-  FacetGradient gradient;  ///< dN_a/dxi_alpha, shape (n, 2)
+  FacetVector value;       ///< shape functions N_a, shape (n)
+  FacetGradient gradient;  ///< derivatives dN_a/dxi_alpha, shape (n, 2)
 };
 
-/// Shape functions of a facet type at parametric coordinates xi (anywhere in the plane).
+/// Shape functions of a facet type at parametric coordinates xi, which may be outside of the facet.
 ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
 /// Shape functions of a tri3 at xi: its area coordinates [-].
@@ -56,70 +57,74 @@ inline Eigen::Matrix<double, 3, 2> area_gradient() {
   return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
 }
 
-/// dN_a/dxi_alpha at a node of the facet, shape (n, 2).
+/// The derivatives dN_a/dxi_alpha at a node of the facet, shape (n, 2).
 const FacetGradient& gradient_at_node(FacetType type, int node);
 
 /// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
 FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
 
-/// A linear piece of a facet: a triangle or quadrilateral between some of its nodes, by their numbers in node order;
-/// the middle of an 8-node quadrilateral counts as node 8.
+/// A linear piece of a facet: a triangle or a quadrilateral between some of its nodes. The nodes are given by their
+/// numbers in node order; the centre of an 8-node quadrilateral counts as node 8.
 struct SubFacet {
   FacetType type;  ///< tri3 or quad4
   std::vector<int> nodes;
 };
 
-/// The linear pieces between neighbouring nodes that a facet is made of: a linear facet itself; four quadrilaterals;
-/// four triangles, or six around the middle node. They are parallelograms or triangles in parametric coordinates.
+/// The linear pieces of a facet, which are parallelograms or triangles in parametric coordinates: a linear facet
+/// itself; four quadrilaterals for quad8 and quad9; four triangles for tri6, or six around the centre node for tri7.
 const std::vector<SubFacet>& sub_facets(FacetType type);
 
-/// The nodes around a facet in the order of its corners, with mid-edge nodes between these.
+/// The nodes on the boundary of a facet, in the order of its corners, with the mid-edge nodes in between.
 const std::vector<int>& outline(FacetType type);
 
-/// The sub-facet at or nearest to a point, as its number in sub_facets().
+/// Number in sub_facets() of the linear piece that contains a point, or that is nearest to it.
 int sub_facet_at(FacetType type, const Vector2d& xi);
 
-/// Shape functions psi_a of tractions, fluxes and multipliers, and the weights of nodal averages: linear on each
-/// sub-facet (bilinear on quadrilaterals), 1 at their own node and 0 at the others; the value at the middle of an
-/// 8-node quadrilateral is the mean of its mid-edge nodes. They add up to 1 and are nowhere negative on the facet,
-/// unlike the shape functions of quadratic facets. Every part of a facet therefore has positive weights (Puso, Laursen
-/// and Solberg 2008, Comput Methods Appl Mech Eng 197:555-566). `sub_facet`: that of the point, whose functions
-/// continue beyond it.
+/// The functions psi_a that interpolate tractions, fluxes and multipliers, and that weight nodal averages. They are
+/// linear on each triangular piece and bilinear on each quadrilateral piece of a facet; psi_a is 1 at node a and 0 at
+/// the other nodes. Their values at the centre of an 8-node quadrilateral are the means of those at the mid-edge nodes.
+///
+/// The functions add up to 1 and, unlike the shape functions of quadratic facets, are not negative anywhere on the
+/// facet. Every part of a facet therefore has positive weights (Puso, Laursen and Solberg 2008, Comput Methods Appl
+/// Mech Eng 197:555-566). `sub_facet`: number of the piece that contains the point; its functions also extend beyond
+/// the piece.
 ShapeFunctions multiplier_functions(FacetType type, int sub_facet, const Vector2d& xi);
 
-/// The parts in which the nodes that count take the function of a node that does not, shape (n): its neighbours that do
-/// in equal parts, or where there are none all that do; a node that counts takes its own. `counts`: 1 for nodes that
-/// count, 0 for the others, shape (n).
+/// Redistribution weights of a node: the fractions of its function psi that the nodes of the facet receive, shape (n).
+/// A node that counts keeps its own function. The function of any other node goes in equal parts to those of its
+/// neighbours that count, or to all nodes that count if no neighbour does. `counts`: 1 for nodes that count, 0 for the
+/// others, shape (n).
 FacetVector heirs_of(FacetType type, int node, const FacetVector& counts);
 
-/// Functions psi_a redistributed among the nodes of their facet that count, at least one: each of the others gives its
-/// own, in equal parts, to its neighbours that count, or if there are none to all that do. They add up to 1, and are
-/// nowhere negative if the given ones are not. `counts`: 1 for nodes that count, 0 for the others, shape (n).
+/// The functions psi_a redistributed to the nodes of their facet that count, of which there is at least one (weights:
+/// heirs_of()). The result adds up to 1, and is not negative if the given functions are not. `counts`: 1 for nodes that
+/// count, 0 for the others, shape (n).
 ShapeFunctions redistributed(FacetType type, const ShapeFunctions& psi, const FacetVector& counts);
 
-/// A facet: its type and the surface-local indices of its nodes (the first node_count(type) entries count).
+/// A facet: its type and the indices of its nodes on the surface, of which the first node_count(type) entries are
+/// valid.
 struct Facet {
   FacetType type = FacetType::quad4;
   std::array<int, max_facet_nodes> nodes{};
 
   int count() const { return node_count(type); }
+  /// The surface index of the facet's a-th node.
   int node(Index a) const { return nodes[static_cast<std::size_t>(a)]; }
-  /// The first node_count(type) nodes.
+  /// Iterators over the facet's nodes.
   const int* begin() const { return nodes.data(); }
   const int* end() const { return nodes.data() + count(); }
 };
 
-/// The number of a surface's node among the nodes of a facet, in node order; facet.count() if the facet does not
-/// contain it.
+/// The position of a surface node in a facet's node order; facet.count() if the node does not belong to the facet.
 Index number_in(const Facet& facet, Index node);
 
-/// Columns of a per-node array that belong to a facet's nodes, shape (3, n).
+/// The columns of a per-node array for the nodes of a facet, shape (3, n).
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions);
 
-/// A scalar field, one value per node: a vector, or a column or row of a matrix, seen in place.
+/// A scalar field with one value per node: a view of a vector, or of a column or row of a matrix.
 using NodalField = Eigen::Ref<const VectorXd, 0, Eigen::InnerStride<>>;
 
-/// Entries of a per-node scalar field that belong to a facet's nodes, shape (n).
+/// The entries of a scalar field for the nodes of a facet, shape (n).
 FacetVector facet_values(const Facet& facet, const NodalField& field);
 
 }  // namespace mixture_contact

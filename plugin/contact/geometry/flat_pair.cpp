@@ -8,14 +8,14 @@
 namespace mixture_contact {
 namespace {
 
-/// x,1 and x,2 of a triangle.
+/// Tangents x,1 and x,2 of a triangle.
 Eigen::Matrix<double, 3, 2> tangents(const TriangleCoordinates& x) {
   Eigen::Matrix<double, 3, 2> tangents;
   tangents << x.col(1) - x.col(0), x.col(2) - x.col(0);
   return tangents;
 }
 
-/// Weights h = (sum w psi N1, -sum w psi N2) with one vector each.
+/// The weights h = (sum w psi N1, -sum w psi N2) times a vector, one vector per node.
 FlatVariation by_nodes(const Vector3d& primary, const Vector3d& secondary, const Vector3d& vector) {
   FlatVariation result;
   for (Index b = 0; b < 3; ++b) {
@@ -25,8 +25,8 @@ FlatVariation by_nodes(const Vector3d& primary, const Vector3d& secondary, const
   return result;
 }
 
-/// The variation of the average of y over a node, to which the pair adds sum w psi_c |a| y, dy = `along`.deta +
-/// `by_shape` h.dx; `excess`: sum w psi_c (y - average).
+/// The part of a pair in the variation of the average of a quantity y over node c. The pair adds sum w psi_c |a| y to
+/// the average, with dy = `along`.deta + `by_shape` h.dx. `excess`: sum w psi_c (y - average).
 FlatVariation mean_variation(const FlatPair& pair, const FlatVariations& vary, Index c, const Vector2d& along,
                              const Vector3d& by_shape, double excess, double nodal_area) {
   const double share = pair.area / nodal_area;

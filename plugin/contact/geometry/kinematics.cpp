@@ -68,9 +68,10 @@ KinematicVariations kinematic_variations(const PointKinematics& point, const Poi
   const Index columns = 3 * point.nodes();
   const PairVector h = point.jump_weights();
   const Vector3d& n = point.normal;
-  // 0 = d[(x2 - x1).x1,alpha] = (x2,beta.x1,alpha) deta_beta - h dx.x1,alpha + g n1.dx1,alpha  gives deta, with
-  // dx1,alpha = N,alpha dx + x1,alpha beta dxi_beta and, where the point moves, x1,beta dxi_beta in the change of x1;
-  // dg = n1.(-h dx + x2,beta deta_beta); the change of n1 does not enter since x2 - x1 is along n1.
+  // The condition 0 = d[(x2 - x1).x1,alpha] = (x2,beta.x1,alpha) deta_beta - h dx.x1,alpha + g n1.dx1,alpha gives deta.
+  // In it dx1,alpha = N,alpha dx + x1,alpha beta dxi_beta, and a point that moves also adds x1,beta dxi_beta to the
+  // change of x1. The gap varies by dg = n1.(-h dx + x2,beta deta_beta); the change of n1 has no part in it because x2
+  // - x1 is along n1.
   PairVariation<2> slip(2, columns);
   KinematicVariations variations;
   variations.gap.resize(columns);

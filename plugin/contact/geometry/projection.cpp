@@ -11,10 +11,10 @@
 namespace mixture_contact {
 namespace {
 
-/// Newton from one start; empty where it does not converge.
+/// Newton's method from one start; empty if it does not converge.
 ///
-/// Convergence is quadratic, so the step that falls below sqrt(epsilon) of the facet's size leaves an error of epsilon:
-/// one more step is taken and accepted.
+/// Convergence is quadratic: after a step below sqrt(epsilon) of the facet's size, one more step leaves an error of
+/// about epsilon and is accepted.
 std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
                              const Vector3d& direction, const Vector2d& start) {
   constexpr int max_steps = 25;
@@ -35,8 +35,8 @@ std::optional<RayHit> newton(FacetType type, const FacetCoordinates& x, const Ve
   return std::nullopt;
 }
 
-/// Where a line meets the plane of a triangle, by Cramer's rule (Moller and Trumbore 1997, J Graph Tools 2(1):21);
-/// empty where it is parallel.
+/// Intersection of a line with the plane of a triangle, by Cramer's rule (Moller and Trumbore 1997, J Graph Tools
+/// 2(1):21); empty if they are parallel.
 std::optional<RayHit> on_plane(const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction) {
   const Vector3d first = x.col(1) - x.col(0);
   const Vector3d second = x.col(2) - x.col(0);
@@ -48,28 +48,29 @@ std::optional<RayHit> on_plane(const FacetCoordinates& x, const Vector3d& origin
   return RayHit{unknown.head<2>(), unknown[2]};
 }
 
-/// Control points of a facet as a Bezier surface, x = SUM B_i(eta) b_i with SUM B_i = 1, and what SUM |B_i| is at most
-/// where a place is no more than `tolerance` outside: the facet lies within their convex hull, and no further beyond.
+/// Control points of a facet as a Bezier surface, x = SUM B_i(eta) b_i with SUM B_i = 1, and the upper bound of SUM
+/// |B_i| for points at most `tolerance` outside the facet. The facet is within the convex hull of the control points;
+/// the bound limits how far its extension leaves the hull.
 struct ControlNet {
   FacetCoordinates points;
   double most;
 };
 
-/// Of facets whose Newton steps are worth it; empty for others.
+/// The control points of a quad4 or a tri6; empty for other facet types.
 std::optional<ControlNet> control_net(FacetType type, const FacetCoordinates& x, double tolerance) {
   if (type == FacetType::quad4) {
     // B = (1 +- eta_1)(1 +- eta_2)/4, and |1 + eta| + |1 - eta| <= 2 (1 + tolerance)
     return ControlNet{x, (1 + tolerance) * (1 + tolerance)};
   }
   if (type != FacetType::tri6) return std::nullopt;
-  // B = l_a l_a and 2 l_a l_b with l_0 + l_1 + l_2 = 1, l_a >= -tolerance, of which at most two are negative: SUM |B|
-  // is the square of SUM |l_a| <= 1 + 4 tolerance. A node amid an edge is (b_a + 2 b_ab + b_b)/4.
+  // B = l_a l_a and 2 l_a l_b with l_0 + l_1 + l_2 = 1 and l_a >= -tolerance, where at most two l_a are negative: SUM
+  // |B| is the square of SUM |l_a| <= 1 + 4 tolerance. A mid-edge node is at (b_a + 2 b_ab + b_b)/4.
   ControlNet net{x, (1 + 4 * tolerance) * (1 + 4 * tolerance)};
   for (Index a = 0; a < 3; ++a) net.points.col(3 + a) = 2 * x.col(3 + a) - 0.5 * (x.col(a) + x.col((a + 1) % 3));
   return net;
 }
 
-/// Whether a line stays so far from a facet that it cannot meet it.
+/// True if a line is so far from a facet that it cannot meet it.
 bool passes_by(FacetType type, const FacetCoordinates& x, const Vector3d& origin, const Vector3d& direction,
                double tolerance) {
   const std::optional<ControlNet> net = control_net(type, x, tolerance);
@@ -78,9 +79,9 @@ bool passes_by(FacetType type, const FacetCoordinates& x, const Vector3d& origin
   return is_passed({centre, net->most * radius_around(net->points, centre)}, origin, direction);
 }
 
-/// Whether the facet's normals at all nodes are on one side of a direction. A line along it then meets the facet at
-/// most once: to meet it twice it has to enter and to leave. (Exact for quad4, whose normal is linear between its
-/// corners.)
+/// True if the facet's normals at all nodes are on one side of a direction. A line along this direction then meets the
+/// facet at most once, because it would have to enter and to leave for a second intersection. (Exact for quad4, whose
+/// area vector is linear in its parametric coordinates.)
 bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& direction) {
   bool towards = false;
   bool away = false;

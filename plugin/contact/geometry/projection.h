@@ -7,17 +7,13 @@
 
 namespace mixture_contact {
 
-/// The point in which a ray meets a facet: x2(eta) = origin + gap * direction.
+/// Intersection of a ray with a facet: x2(eta) = origin + gap * direction.
 struct RayHit {
-  Vector2d eta;  ///< parametric coordinates on the facet
-  double gap;    ///< signed length along the direction [length]
+  Vector2d eta;  ///< parametric coordinates of the intersection on the facet
+  double gap;    ///< signed distance of the intersection from `origin`, positive along `direction` [length]
 };
 
-/// Intersection of the line through origin along a unit direction with a facet.
-///
-/// Newton's method on x2(eta) - origin - gap * direction = 0, from the facet's centre and, where the facet is curved or
-/// warped and that start fails or the line may meet it twice, from each node. Returns the hit if it lies within the
-/// facet's parametric domain enlarged by `tolerance`; of several, the one with the smallest |gap|.
+/// Intersection of a facet with the line through `origin` along the unit vector `direction`.
 std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
                                 const Vector3d& direction, double tolerance);
 

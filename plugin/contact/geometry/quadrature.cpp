@@ -19,14 +19,14 @@ std::vector<QuadraturePoint> quadrilateral_rule(int order) {
   return rule;
 }
 
-/// The points of a symmetric triangle rule with area coordinates (1 - 2a, a, a) in all three turns.
+/// The points of a symmetric triangle rule with area coordinates (1 - 2a, a, a) in all three rotations.
 void add_orbit(std::vector<QuadraturePoint>& rule, double a, double weight) {
   rule.push_back({{a, a}, weight});
   rule.push_back({{1 - 2 * a, a}, weight});
   rule.push_back({{a, 1 - 2 * a}, weight});
 }
 
-/// Conical product: the square [-1, 1]^2 collapsed onto the triangle, whose Jacobian costs one degree.
+/// Conical product: the square [-1, 1]^2 collapsed onto the triangle. Its Jacobian reduces the exact degree by one.
 std::vector<QuadraturePoint> conical_rule(int order) {
   std::vector<QuadraturePoint> rule;
   for (const QuadraturePoint& square : quadrilateral_rule(order)) {

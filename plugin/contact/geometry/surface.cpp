@@ -12,10 +12,10 @@ namespace mixture_contact {
 
 namespace {
 
-/// A point of a rule that is exact for psi_a on flat facets that are parallelograms or triangles.
+/// A point of a quadrature rule that is exact for psi_a on flat facets that are parallelograms or triangles.
 struct RulePoint {
   double weight;
-  FacetGradient gradient;  ///< of the shape functions
+  FacetGradient gradient;  ///< gradient of the shape functions
   FacetVector psi;
 };
 
@@ -28,7 +28,7 @@ std::vector<RulePoint> rule_for(FacetType type) {
   return rule;
 }
 
-/// The same, found once for each type.
+/// The points of rule_for(), computed once for each facet type.
 const std::vector<RulePoint>& nodal_rule(FacetType type) {
   using Type = FacetType;
   static const std::map<FacetType, std::vector<RulePoint>> rules{

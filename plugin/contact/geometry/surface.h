@@ -1,4 +1,4 @@
-/// A contact surface as data: facets, the fields that they let through, and the values at its nodes.
+/// A contact surface as data: its facets, the fields to which they are permeable, and the values at its nodes.
 #pragma once
 
 #include "base/effects.h"
@@ -11,56 +11,60 @@
 
 namespace mixture_contact {
 
-/// The part of a surface that a run does not change: facets, and the properties of the material behind each.
+/// The part of a surface that is constant in a run: the facets, and the properties of the material behind each facet.
 struct SurfaceMesh {
   int nodes = 0;
   IndexedVector<Facet> facets;
-  IndexedVector<FieldMask> permeable;  ///< per facet: the exchanged scalar fields of the material behind it
+  /// Per facet: the exchanged scalar fields to which the material behind the facet is permeable.
+  IndexedVector<FieldMask> permeable;
   VectorXd stiffness;    ///< per facet: normal stiffness modulus over element thickness [N/mm^3]; infinite if rigid
-  MatrixXd conductance;  ///< (scalar fields, facets): conductance over thickness; 0 where impermeable
+  MatrixXd conductance;  ///< (scalar fields, facets): conductance over element thickness; 0 if impermeable
 
-  // Nodes have numbers if a body may meet itself, since both surfaces have facets in common; else none has.
+  // Nodes have numbers only if a body may meet itself, because its two surfaces then have facets in common.
   IndexedVector<int> node_ids;  ///< per node: its number in the host's mesh, the same for both surfaces
-  VectorXd thickness;           ///< per facet: of the element behind it [mm]; empty: not known
+  VectorXd thickness;           ///< per facet: thickness of the element behind it [mm]; empty if unknown
 
-  NodeFlags joined;  ///< per node: whether both surfaces have it, without self-contact; empty: none
+  /// Per node: true if both surfaces contain the node, without self-contact; empty if there is no such node.
+  NodeFlags joined;
 
   bool may_meet_itself() const { return node_ids.count() > 0; }
-  /// Whether both surfaces share a node: it cannot open and has no ambient values.
+  /// True if both surfaces contain the node. Such a node cannot open and has no ambient values.
   bool is_joined(Index node) const { return joined.count() > 0 && joined[node]; }
 };
 
-/// Finds the nodes that both surfaces have, given the numbers of their nodes in the host's mesh: SurfaceMesh::joined.
+/// Sets SurfaceMesh::joined, the nodes that both surfaces contain. `numbers`: for each surface, the numbers of its
+/// nodes in the host's mesh.
 void find_joined_nodes(PerSide<SurfaceMesh>& meshes, const PerSide<std::vector<int>>& numbers);
 
-/// The current state of a surface: one column or row per node.
+/// The current positions and field values at the nodes of a surface.
 struct SurfaceFields {
   Matrix3Xd position;  ///< current positions, shape (3, nodes) [mm]
-  MatrixXd scalar;     ///< scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects; last the
-                       ///< p~ that friction alone reads, if any (Effects::nodal_fields)
+  /// Scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects; then the p~ that only friction
+  /// reads, if any (Effects::nodal_fields).
+  MatrixXd scalar;
 
-  std::size_t memory() const;  ///< [bytes]
+  std::size_t memory() const;  ///< memory of the values [bytes]
 };
 
-/// Positions, or positions and fields, of both surfaces as a pass sees them.
+/// Positions, or positions and fields, of the primary and secondary surface of a pass.
 using FacingPositions = Facing<Matrix3Xd>;
 using FacingFields = Facing<SurfaceFields>;
 inline FacingPositions positions(const FacingFields& fields) {
   return {fields.primary.position, fields.secondary.position};
 }
 
-/// Whether any of a facet's nodes is among those given.
+/// True if a node of the facet is among the given nodes.
 inline bool any_node(const Facet& facet, const NodeFlags& given) {
   return std::any_of(facet.begin(), facet.end(), [&](int node) { return given[node]; });
 }
 
-/// INT psi_a da over one facet, shape (n) [mm^2].
+/// INT psi_a da over one facet for each of its nodes, shape (n) [mm^2].
 FacetVector areas_of_nodes(const Facet& facet, const Matrix3Xd& position);
 
-/// INT psi_a da over all facets around each node [mm^2].
+/// INT psi_a da for each node, over all facets around it, shape (nodes) [mm^2].
 VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position);
 
-/// The longest distance of neighbouring corners of a facet [length].
+/// The longest distance between neighbouring corners of a facet [length].
 double longest_edge(const Facet& facet, const Matrix3Xd& position);
 
 /// Half the diagonal of the box around all nodes [length].

@@ -10,14 +10,15 @@ namespace {
 
 double cross_of_values(const Vector2d& one, const Vector2d& two) { return one[0] * two[1] - one[1] * two[0]; }
 
-/// The point of the segment from a to b at which a number that is va at a and vb at b, of opposite signs, is zero.
+/// The zero on the segment from a to b of a linear function with the values va at a and vb at b, which have opposite
+/// signs.
 template <class Number>
 Place<Number> crossing(const Place<Number>& a, const Place<Number>& b, const Number& va, const Number& vb) {
   const Number t = va / (va - vb);
   return a + t * (b - a);
 }
 
-/// Cuts off what of a polygon is not on the left of the line through two points.
+/// Removes the part of a polygon that is on the right of the line through two points.
 template <class Number>
 void keep_left(Polygon<Number>& polygon, const Place<Number>& from, const Place<Number>& to, double coincident) {
   const Vector2d along = to.value() - from.value();

@@ -1,18 +1,20 @@
-/// Clipping of polygons in a plane, with the exact variations of the corners where they vary.
+/// Clipping of plane polygons. Corners that are numbers with derivatives (plane.h) keep their exact variations.
 #pragma once
 
 #include "integration/plane.h"
 
 namespace mixture_contact {
 
-/// Twice the area of a polygon; negative if its corners go clockwise.
+/// Twice the signed area of a polygon: positive for counter-clockwise corners, negative for clockwise ones.
 template <class Number>
 double twice_area(const Polygon<Number>& polygon);
 
-/// The part of a polygon within a convex window (Sutherland and Hodgman 1974, Commun ACM 17(1):32).
+/// Clips a polygon against a convex window with counter-clockwise corners (Sutherland and Hodgman 1974, Commun ACM
+/// 17(1):32).
 ///
-/// Corners within `coincident` [length] of the line along an edge of the window count as within: edges that coincide
-/// leave the corners of the polygon, and move with it. Empty if nothing is left. The memory is that of the polygon.
+/// A corner of the polygon within `coincident` [length] of an edge's line counts as inside the window: where edges
+/// coincide, the result keeps the polygon's own corners and their variations. Returns an empty polygon if nothing is
+/// inside. The result uses the memory resource of the polygon.
 template <class Number>
 Polygon<Number> clip(Polygon<Number> polygon, const Polygon<Number>& window, double coincident);
 

@@ -8,7 +8,7 @@
 namespace mixture_contact {
 namespace {
 
-using Edge = std::pair<int, int>;  ///< two nodes, in the order of the facet
+using Edge = std::pair<int, int>;  ///< the nodes of an edge, in the order of its facet
 
 Edge edge_from(const Facet& facet, int corner) {
   return {facet.node(corner), facet.node((corner + 1) % corner_count(facet.type))};

@@ -11,16 +11,16 @@
 namespace mixture_contact {
 namespace {
 
-/// Whether positions of nodes are the same but for the rounding of coordinates that displacements are added to. What is
-/// no number is at no place.
+/// True if positions are the same within the rounding of coordinates to which displacements are added. False if a
+/// position is not a number.
 bool is_same_place(const Matrix3Xd& one, const Matrix3Xd& other) {
   if (one.cols() != other.cols() || one.cols() == 0) return false;
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * one.cwiseAbs().maxCoeff();
   return ((one - other).array().abs() <= rounding).all();
 }
 
-/// Per pair the place of its first point among those of the pairs that `counts` tells; behind them all, how many there
-/// are.
+/// Per pair, the index of its first point among the points of the pairs for which `counts` is true; last entry: the
+/// number of these points.
 template <class Counts>
 IndexedVector<Index> first_points(const IndexedVector<FacetPair>& pairs, const Counts& counts) {
   IndexedVector<Index> places(1, 0);
@@ -40,8 +40,8 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
 
 void FacingPairs::search(const FacingPositions& x, const Reach& reach) {
   surface_size_ = half_diagonal(x.primary);
-  // Where surfaces have moved by rounding alone overlaps of facets are what they were; gaps change, and a large penalty
-  // makes loads of that.
+  // If surfaces have moved by rounding only, the overlaps of their facets are unchanged. The gaps have to be evaluated
+  // again, because a large penalty turns their rounding into loads.
   const bool has_overlaps = moves_points() && reach == reach_ && is_same_place(searched_at_.primary, x.primary) &&
                             is_same_place(searched_at_.secondary, x.secondary);
   if (has_overlaps) return evaluate_all(x);
@@ -57,7 +57,7 @@ void FacingPairs::project_on_same_facets(const FacingPositions& x) {
 
 bool FacingPairs::begin_iteration(const FacingPositions& x) {
   const auto search_anew = [&] {
-    searched_at_ = {};  // other pairs are found at the same place
+    searched_at_ = {};  // the search finds other pairs at the same positions
     search(x, reach_);
   };
   const bool finds_less = std::exchange(has_kept_, false);

@@ -10,7 +10,7 @@
 namespace mixture_contact {
 namespace {
 
-/// The area vector in the middle of a facet and how it varies with its nodes.
+/// The area vector in the middle of a facet, and its variation with the nodal positions.
 struct MiddleArea {
   MiddleArea(FacetType type, const FacetCoordinates& x)
       : gradient(shape_functions(type, parametric_centre(type)).gradient),
@@ -18,7 +18,7 @@ struct MiddleArea {
         area(tangents.col(0).cross(tangents.col(1)).norm()),
         normal(tangents.col(0).cross(tangents.col(1)) / area) {}
 
-  /// Variation of the cosine between the normal and another one, n, which is fixed.
+  /// Variation of the cosine between the normal and a constant unit vector n.
   PairVariation<1> cosine_variation(const Vector3d& n) const {
     const Vector3d across = (n - n.dot(normal) * normal) / area;
     return across.transpose() * area_vector_variation(tangents, gradient, gradient.rows());
@@ -30,7 +30,7 @@ struct MiddleArea {
   Vector3d normal;
 };
 
-/// Where c stands between the bounds, 0 to 1.
+/// The fraction of the interval between both bounds of c that is below `opposition`, 0 to 1.
 double fraction_of(double opposition) {
   return std::clamp((opposition - least_opposition) / (full_opposition - least_opposition), 0.0, 1.0);
 }

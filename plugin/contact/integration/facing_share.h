@@ -1,43 +1,45 @@
-/// The weight of two facets for each other, by the angle between them.
+/// The facing share: a weight from 0 to 1 of a pair of facets, by the angle between them.
 ///
-/// A gap along a normal n1 is the distance between the surfaces over c = -n1.n2. A side that turns away from contact at
-/// an edge and leans a little still faces the other body, at c near 0: its gaps are many times the distance, and
-/// averages around the nodes of the edge would be lost in them. Facets therefore count for each other by a share that
-/// depends on c:
+/// A gap along a normal n1 is the distance between the surfaces divided by c = -n1.n2. The side of a body next to a
+/// contact edge may lean towards the other body at c near 0. Its gaps are then many times the distance, and would
+/// dominate the average gaps of the nodes on the edge. The weights of integration points are therefore multiplied by a
+/// share that depends on c:
 ///
-/// - All of it from c = 1/sqrt(3) on. One face of a body with right-angled corners has that at least, however it
-///   rests on a plane; a cube on its corner has it on all three.
-/// - Nothing up to c = 1/2, where the side of an edge leans by 30 degrees, or 0.58 of its length: the sides of a soft
-///   block that is pressed to half its height lean by 0.4.
-/// - In between the share grows smoothly, so that no lean switches anything on or off.
+/// - The share is 1 from c = 1/sqrt(3) on. A body with right-angled corners that rests on a plane has at least
+///   one face with this c in any position. A cube on its corner has it on three faces.
+/// - The share is 0 up to c = 1/2, where a side leans by 30 degrees, that is 0.58 of its length. The sides of a
+///   soft block that is pressed to half its height lean by 0.4.
+/// - The share grows smoothly in between, and no angle makes a pair appear or disappear abruptly.
 ///
-/// The normals are those in the middle of both facets: the share is one number for a pair.
+/// n1 and n2 are the normals in the middle of the two facets: a pair has one share.
 #pragma once
 
 #include "geometry/facet.h"
 
 namespace mixture_contact {
 
-/// Bounds of c = -n1.n2 between which the share grows.
+/// Values of c = -n1.n2 at which the share begins to grow from 0, and at which it reaches 1.
 inline constexpr double least_opposition = 0.5;
-inline constexpr double full_opposition = 0.57735026918962;  // 1/sqrt(3), not more
-/// The distance of the search between parallel facets, over the longest edge of the searching one: farther facets touch
-/// no node of it if surfaces bend gently, but would spoil its averages.
+inline constexpr double full_opposition = 0.57735026918962;  // 1/sqrt(3), rounded down
+/// The search distance ahead of a facet for parallel facets, divided by the facet's longest edge. Parallel facets
+/// farther away touch none of its nodes where surfaces bend gently, but would distort the nodal averages.
 inline constexpr double parallel_reach = 0.25;
 
 /// Unit normal in the middle of a facet.
 Vector3d middle_normal(FacetType type, const FacetCoordinates& x);
 
-/// The share of facets with these unit normals, from 0 to 1.
+/// The facing share of two facets with these unit normals in their middles, 0 to 1.
 double facing_share(const Vector3d& n1, const Vector3d& n2);
 
-/// Extra distance of the search between facets with these normals, compared with parallel ones. A facet of length L
-/// that touches with one end and is turned by an angle t there has its other end L tan(t) away along its normal.
+/// Factor by which the search distance ahead of a facet is larger for a facet with normal n2 than for a parallel one. A
+/// facet of length L that touches at one end and is turned there by an angle t has its other end at a distance of L
+/// tan(t).
 double tilted_reach(const Vector3d& n1, const Vector3d& n2);
-/// The largest of it, where the share ends.
+/// The largest value of tilted_reach(), at c = least_opposition.
 double largest_tilted_reach();
 
-/// d(share)/share of a pair of facets that have one, with the nodes of the first and then of the second facet.
+/// Relative variation d(share)/share of a pair with a positive share, with the positions of the nodes of the first
+/// facet, then of the second one.
 PairVariation<1> facing_share_variation(FacetType first, const FacetCoordinates& x1, FacetType second,
                                         const FacetCoordinates& x2);
 

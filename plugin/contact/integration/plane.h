@@ -1,4 +1,4 @@
-/// Places in a plane, whose coordinates are numbers or numbers with their exact first variations.
+/// Points and polygons in a plane. Their coordinates are numbers, or numbers with exact first derivatives.
 #pragma once
 
 #include "base/types.h"
@@ -11,31 +11,33 @@
 
 namespace mixture_contact {
 
-/// A number with its variation with the places of up to so many corners, two columns for each.
+/// A number with its derivatives by the two coordinates of each of `Corners` corners.
 template <int Corners>
 using VaryingNumber = Eigen::AutoDiffScalar<Eigen::Matrix<double, 2 * Corners, 1>>;
 
-/// Corners of a linear piece of a facet and of the outline of a whole one, at most.
+/// Largest number of corners of a linear piece of a facet, and of the outline of a whole facet.
 inline constexpr int max_piece_corners = 4;
 inline constexpr int max_outline_corners = 8;
 
-/// Corners of two polygons that overlap: of two triangles; of two linear pieces; of a piece and an outline.
+/// Largest number of corners of two polygons together: two triangles, two linear pieces, a piece and an outline.
 inline constexpr int corners_of_triangles = 2 * 3;
 inline constexpr int corners_of_pieces = 2 * max_piece_corners;
 inline constexpr int most_corners = max_piece_corners + max_outline_corners;
 
+/// The value of a number without its derivatives.
 inline double value_of(double number) { return number; }
 template <class Variation>
 double value_of(const Eigen::AutoDiffScalar<Variation>& number) {
   return number.value();
 }
 
-/// A place or a direction; Number: double or a VaryingNumber.
+/// A point or a direction in the plane. Number: double or a VaryingNumber.
 template <class Number>
 struct Place {
   Number x{0};
   Number y{0};
 
+  /// The coordinates without their derivatives.
   Vector2d value() const { return {value_of(x), value_of(y)}; }
 };
 
@@ -54,13 +56,15 @@ Place<Number> operator*(const Factor& factor, const Place<Number>& place) {
   return {factor * place.x, factor * place.y};
 }
 
-/// Cross product of two edges of a triangle: twice its area, positive where the edges turn counter-clockwise.
+/// Cross product of two vectors in the plane: twice the signed area of their triangle, positive if the second vector is
+/// counter-clockwise of the first.
 template <class Number>
 Number cross(const Place<Number>& one, const Place<Number>& two) {
   return one.x * two.y - one.y * two.x;
 }
 
-/// The place of a corner, given by its number, where it varies.
+/// A corner as an independent variable: the given coordinates, whose derivatives by themselves are 1. `corner` is its
+/// number.
 template <class Number>
 Place<Number> corner_place(const Vector2d& value, int corner) {
   if constexpr (std::is_same_v<Number, double>) {
@@ -71,13 +75,13 @@ Place<Number> corner_place(const Vector2d& value, int corner) {
   }
 }
 
-/// Variation of a number with the place of a corner.
+/// Derivatives of a number by the two coordinates of a corner.
 template <class Variation>
 Eigen::RowVector2d by_corner(const Eigen::AutoDiffScalar<Variation>& number, Index corner) {
   return number.derivatives().template segment<2>(2 * corner).transpose();
 }
 
-/// Corners in counter-clockwise order, in memory that the given resource provides.
+/// Corners of a polygon in counter-clockwise order, in memory of a given resource.
 template <class Number>
 using Polygon = std::pmr::vector<Place<Number>>;
 

@@ -12,7 +12,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Points that come facet by facet of the primary surface, by the pair of facets that they lie on.
+/// Groups the points of a primary surface, which are added facet by facet, by their pairs of facets.
 class ByPair {
  public:
   void add(int primary, int secondary, const IntegrationPoint& point) {
@@ -30,7 +30,7 @@ class ByPair {
     int secondary;
     IntegrationPoint point;
   };
-  /// Makes pairs of the points of a facet, in the order of their first points.
+  /// Makes the pairs of the current primary facet, in the order of their first points.
   void finish_facet() {
     for (auto first = of_facet_.begin(); first != of_facet_.end();) {
       const int secondary = first->secondary;

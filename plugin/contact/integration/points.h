@@ -1,4 +1,4 @@
-/// The points at which the integral over a surface is sampled, by the pair of facets that they lie on.
+/// Integration points of a primary surface, grouped by the pair of facets that they lie on.
 #pragma once
 
 #include "base/lists.h"
@@ -15,31 +15,31 @@
 
 namespace mixture_contact {
 
-/// An integration point of a pair of facets: x1(xi) on the primary facet is paired with x2(eta) on the secondary one
-/// along n1.
+/// An integration point of a pair of facets. Its point x1(xi) on the primary facet is paired with the point x2(eta) on
+/// the secondary facet along the normal n1.
 struct IntegrationPoint {
   Vector2d xi{0, 0};
   Vector2d eta{0, 0};
-  double weight = 0;  ///< da1 = weight |a|
-  int sub_facet = 0;  ///< of the primary facet, that it lies on
+  double weight = 0;  ///< weight of the quadrature: da1 = weight |a|, a: area vector of the primary facet
+  int sub_facet = 0;  ///< number of the linear piece of the primary facet that contains the point
 };
 
-/// A facet of the primary surface and one of the secondary surface that faces it.
+/// A facet of the primary surface and a facet of the secondary surface that faces it.
 struct FacetPair {
   int primary = 0;
   int secondary = 0;
-  Index first = 0;   ///< of the points in between, among those of all pairs
-  Index points = 0;  ///< how many there are
-  /// Whether integrals over all pairs of the primary facet are exact, and the secondary surface continues across all of
-  /// their edges within the facet. As such an edge moves, one pair gains the area that the next one loses: no sum over
-  /// the pairs depends on the motion of their points.
+  Index first = 0;   ///< index of the pair's first point among the points of all pairs
+  Index points = 0;  ///< number of the pair's points
+  /// True if the pair is fully covered: integrals over all pairs of its primary facet are exact, and the secondary
+  /// surface continues across each edge that divides them. If such an edge moves, one pair gains the area that its
+  /// neighbour loses. Sums over the pairs then do not depend on the motion of their points.
   bool unbroken = false;
 };
 
-/// The points of a pair, in their order.
+/// The integration points of a pair, in order.
 using PointsOfPair = Span<IntegrationPoint>;
 
-/// Pairs of facets with the points in between.
+/// Pairs of facets with their integration points.
 class FacetPairs {
  public:
   const IndexedVector<FacetPair>& pairs() const { return pairs_; }
@@ -48,34 +48,36 @@ class FacetPairs {
   const IndexedVector<IntegrationPoint>& points() const { return points_; }
 
   void clear();
-  /// Adds a pair, and another point to the last pair.
+  /// Adds a pair without points.
   void add_pair(int primary, int secondary) { pairs_.push_back({primary, secondary, points_.count(), 0}); }
+  /// Adds a point to the last pair.
   void add_point(const IntegrationPoint& point);
-  /// Adds a pair of others with its points.
+  /// Adds a pair of another list, with its points.
   void add(const FacetPairs& others, const FacetPair& pair);
-  /// Says of all pairs that they are.
+  /// Marks all pairs as fully covered (FacetPair::unbroken).
   void set_unbroken();
   void remove_last_pair();
+  /// Memory of the pairs and points [bytes].
   std::size_t memory() const;
 
  private:
   IndexedVector<FacetPair> pairs_;
-  IndexedVector<IntegrationPoint> points_;  ///< those of one pair after those of the other
+  IndexedVector<IntegrationPoint> points_;  ///< points of all pairs, pair by pair
 };
 
-/// The ray from a point of a facet along its outward normal; reach and tolerance as in Ray.
+/// The ray from a point xi of a facet along the facet's outward normal. `reach` and `tolerance`: as in Ray.
 Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
 
-/// The pairs of facets around a node.
+/// Pointers to the pairs whose primary facets contain a node.
 using PairsAround = Span<const FacetPair*>;
 
-/// Takes the motion of a point.
+/// Function that receives the motion of an integration point.
 using UseMotion = std::function<void(const PointMotion&)>;
 
-/// Calls `use` for so many points that do not move.
+/// Calls `use` once for each of `points` points, with a motion of zero.
 void use_no_motion(Index points, const UseMotion& use);
 
-/// Finds the integration points of a primary surface and their opposite points on a secondary one.
+/// Finds the integration points of a primary surface and the points of the secondary surface that they are paired with.
 class PointFinder {
  public:
   PointFinder() = default;
@@ -85,90 +87,97 @@ class PointFinder {
   PointFinder& operator=(PointFinder&&) = delete;
   virtual ~PointFinder() = default;
 
-  /// Pairs of facets that face each other within reach, in ascending order of the primary facets. The result depends on
-  /// the positions alone within an iteration.
+  /// Finds the pairs of facets that face each other within reach, in ascending order of the primary facets. Within an
+  /// iteration, the result depends on the positions alone.
   virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) = 0;
 
-  /// Pairs at other positions without a search: points keep to the facets that the last search() found for them. The
-  /// result depends on that search and the positions alone.
+  /// Projects the points at other positions, without a search, onto the secondary facets that the last search() found
+  /// for them. The result depends on that search and on the positions alone.
   virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) = 0;
 
-  /// Begins a Newton iteration where the last search was made. Returns whether a search there would now find more,
-  /// since points at the edge of the other surface are kept on it from now on.
+  /// Begins a Newton iteration at the positions of the last search. The finder keeps points paired from now on that
+  /// have repeatedly lost the other surface at its edge. Returns true if a search at the same positions would therefore
+  /// find more pairs.
   virtual bool begin_iteration() { return false; }
 
-  /// Ends the iterations of a step, or those before an augmentation: no point is kept any more. Returns whether any
-  /// was.
+  /// Ends the iterations of a time step, or those before an augmentation: no point is kept at an edge any more. Returns
+  /// true if any point was kept.
   virtual bool end_iterations() { return false; }
 
-  /// Whether points or their weights move as the surfaces move; if not, their motions are none.
+  /// True if the points or their weights vary with the nodal positions. If false, for_each_motion() gives zero motions.
   virtual bool moves_points() const = 0;
 
-  /// How the points of a pair, found at these positions, move with them: calls `use` for each in their order. Those of
-  /// fully covered pairs count as fixed.
+  /// Calls `use` with the motion of each point of a pair, in order: how the point found at these positions varies with
+  /// them. The points of fully covered pairs count as fixed.
   virtual void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
                                const Matrix3Xd& x2, const UseMotion& use) const = 0;
 
-  /// Memory that it keeps [bytes].
+  /// Memory of the finder [bytes].
   virtual std::size_t memory() const = 0;
 };
 
-/// The finder by the settings. Keeps references to the facets.
+/// Makes the finder that the settings select: segments or Gauss points. It keeps references to the facets.
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 
-/// Gauss points at fixed places of the primary facets: each is paired with the nearest facet that faces it. The weight
-/// of a point is that of the rule times the share of both facets (facing_share.h).
+/// Gauss points at fixed parametric coordinates of the primary facets. Each point is paired with the nearest facet that
+/// faces it. Its weight is the quadrature weight times the facing share of both facets (facing_share.h).
 ///
-/// The load of a point ends where it passes the edge of the other surface: it is a jump, and where a whole contact
-/// hangs on one point there may be no equilibrium on either side of it. A point that loses its projection on the
-/// surface for the second time between iterations is at its edge: until they end it is kept on the facet that it was
-/// paired with last, continued beyond its edge.
+/// The load of a point drops to zero where the point passes the edge of the other surface. This jump may leave no
+/// equilibrium on either side of the edge if a whole contact depends on one point. A point that loses its projection
+/// for the second time within the iterations of a step is therefore kept until they end: it stays paired with its last
+/// facet, which is extended beyond its edge.
 class GaussPoints : public PointFinder {
  public:
-  /// The quadrature rule of every primary facet; order 0: default_quadrature_order.
+  /// `order`: order of the quadrature rule on every primary facet, 0 for default_quadrature_order. `tolerance`:
+  /// distance outside a facet within which a point still projects on it, in parametric coordinates.
   GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance,
               SelfContact self = {}, Visibility visibility = {});
 
   FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
-  /// A point that leaves its facet comes back with it.
+  /// A point that has left its facet is paired again when it returns to that facet.
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
   bool begin_iteration() override;
   bool end_iterations() override;
-  bool moves_points() const override { return has_shares_; }
+  bool moves_points() const override { return has_shares_; }  ///< true if a share below 1 varies the weights
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
                        const UseMotion& use) const override;
   std::size_t memory() const override;
 
  private:
+  /// A Gauss point of a primary facet.
   struct Point {
     int facet = 0;
     Vector2d xi;
     double weight = 0;
     int sub_facet = 0;
   };
+  /// Index of the facet of a point that has none.
   static constexpr int unpaired = -1;
+  /// Number of lost projections from which a point is kept.
   static constexpr int most_losses = 2;
-  /// The secondary facets that a point was paired with, or unpaired.
+  /// The secondary facets that a point was paired with at several times; `unpaired` if it had none.
   struct ProjectionHistory {
-    int facet = unpaired;         ///< result of the last search()
-    int at_iteration = unpaired;  ///< pair at the start of the iteration
-    int last = unpaired;          ///< the last pair as an iteration of the step began
-    int losses = 0;               ///< how often the projection was lost since the iteration before
+    int facet = unpaired;         ///< facet found by the last search()
+    int at_iteration = unpaired;  ///< facet at the start of the iteration
+    int last = unpaired;          ///< last facet found at the start of an iteration of this step
+    int losses = 0;               ///< how often the projection was lost within the iterations of this step
 
-    /// Whether the point is at the edge of the other surface.
+    /// True if the point is kept on its last facet beyond the edge.
     bool is_kept() const { return losses >= most_losses; }
   };
 
-  /// The partner of a point.
+  /// The point of the secondary surface that a Gauss point is paired with.
   struct Partner {
     int facet;
     Vector2d eta;
-    double share;  ///< of the facets for each other
+    double share;  ///< facing share of the two facets
   };
-  /// Pairs each point with the partner that `partner_of` finds for it.
+  /// Makes the pairs from the partner that `partner_of` returns for each point, if any.
   FacetPairs paired(const std::function<std::optional<Partner>(Index)>& partner_of);
+  /// The facing share of a primary and a secondary facet.
   double share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
+  /// The search ray of a Gauss point.
   Ray ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const;
 
   const IndexedVector<Facet>& primary_;
@@ -176,11 +185,11 @@ class GaussPoints : public PointFinder {
   double tolerance_;
   SelfContact self_;
   Visibility visibility_;
-  bool has_shares_ = false;  ///< whether a pair of the last search counts in part
+  bool has_shares_ = false;  ///< true if a pair of the last search has a share below 1
   IndexedVector<Point> points_;
-  IndexedVector<ProjectionHistory> histories_;  ///< per point
+  IndexedVector<ProjectionHistory> histories_;  ///< history of each point
   MovingSurface moving_;                        ///< the secondary surface
-  IndexedVector<RayNeighbours> neighbours_;     ///< per point
+  IndexedVector<RayNeighbours> neighbours_;     ///< facets near the ray of each point
 };
 
 }  // namespace mixture_contact

@@ -9,7 +9,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Sum of the corners of a polygon with given weights.
+/// Weighted sum of the corners of a polygon.
 template <class Number>
 Place<Number> combined(const Polygon<Number>& corners, const Eigen::Ref<const VectorXd>& weights) {
   Place<Number> sum = weights[0] * corners[0];
@@ -17,13 +17,13 @@ Place<Number> combined(const Polygon<Number>& corners, const Eigen::Ref<const Ve
   return sum;
 }
 
-/// Of a polygon of three or four corners.
+/// The facet type of a polygon with three or four corners.
 template <class Number>
 FacetType shape_of(const Polygon<Number>& polygon) {
   return polygon.size() == 3 ? FacetType::tri3 : FacetType::quad4;
 }
 
-/// Twice the area of a polygon and the centre of it.
+/// Twice the area of a polygon, and its centroid.
 template <class Number>
 struct Middle {
   Number twice_area;
@@ -52,10 +52,10 @@ struct Symmetric {
   Number yy{0};
 };
 
-/// INT u u da times 12, where u is the place from the centroid.
+/// Twelve times the second moments INT u u da of a polygon, where u is the position relative to the centroid.
 template <class Number>
 Symmetric<Number> inertia(const Polygon<Number>& polygon, const Place<Number>& centroid) {
-  // Of a triangle 0, u, v: INT x x da = area/12 (u u + v v + (u + v)(u + v)).
+  // For a triangle with corners 0, u, v: INT x x da = area/12 (u u + v v + (u + v)(u + v)).
   Symmetric<Number> sum;
   Place<Number> u = polygon.back() - centroid;
   for (const Place<Number>& corner : polygon) {
@@ -70,8 +70,8 @@ Symmetric<Number> inertia(const Polygon<Number>& polygon, const Place<Number>& c
   return sum;
 }
 
-/// The covariance of a polygon in the directions of an alignment: the mean of u u about the centroid, where
-/// u = x e1 + y e2, x = (u x e2)/(e1 x e2), y = (e1 x u)/(e1 x e2).
+/// The covariance of a polygon in the axes e1, e2 of an alignment: the mean of u u about the centroid in the
+/// coordinates of u = x e1 + y e2, x = (u x e2)/(e1 x e2), y = (e1 x u)/(e1 x e2).
 template <class Number>
 Symmetric<Number> covariance(const Polygon<Number>& polygon, const Alignment<Number>& aligned,
                              const Middle<Number>& middle) {
@@ -85,8 +85,8 @@ Symmetric<Number> covariance(const Polygon<Number>& polygon, const Alignment<Num
   return {share * (b.y * mb.x - b.x * mb.y), share * (b.y * ma.x - b.x * ma.y), share * (a.x * ma.y - a.y * ma.x)};
 }
 
-/// The symmetric root S of a positive M: S = (M + sqrt(det M) I)/sqrt(tr M + 2 sqrt(det M)). A determinant that is
-/// rounding is 0: of a sliver whose area is rounding, too.
+/// The symmetric square root S of a positive matrix M: S = (M + sqrt(det M) I)/sqrt(tr M + 2 sqrt(det M)). A
+/// determinant within rounding counts as 0, as for a sliver.
 template <class Number>
 Symmetric<Number> root(const Symmetric<Number>& m) {
   using std::sqrt;
@@ -99,7 +99,7 @@ Symmetric<Number> root(const Symmetric<Number>& m) {
   return {(m.xx + part) * share, m.xy * share, (m.yy + part) * share};
 }
 
-/// Directions of unit covariance: to the corners of a square, or of a triangle with equal sides.
+/// Vectors to the corners of a square or an equilateral triangle whose covariance is the unit matrix.
 using Directions = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, 4>;
 Directions directions(FacetType type) {
   Directions result(2, is_triangle(type) ? 3 : 4);
@@ -112,7 +112,7 @@ Directions directions(FacetType type) {
   return result;
 }
 
-/// Points on the ellipse of inertia.
+/// The quadrature points of order 2, on the ellipse of inertia.
 template <class Number>
 PolygonPoints<Number> points_of_inertia(const Polygon<Number>& polygon, const Alignment<Number>& aligned) {
   const Middle<Number> middle_of = middle(polygon);
@@ -129,7 +129,8 @@ PolygonPoints<Number> points_of_inertia(const Polygon<Number>& polygon, const Al
   return points;
 }
 
-/// A quadrilateral as it is; any other polygon as triangles around its centroid.
+/// Divides a polygon for quadrature: a quadrilateral stays as it is, any other polygon becomes triangles around its
+/// centroid.
 template <class Number>
 std::vector<Polygon<Number>> pieces(const Polygon<Number>& polygon) {
   if (polygon.size() == 4) return {polygon};
@@ -141,7 +142,7 @@ std::vector<Polygon<Number>> pieces(const Polygon<Number>& polygon) {
   return triangles;
 }
 
-/// Points of the rules of triangles and quadrilaterals.
+/// The quadrature points of higher orders, from the rules on triangles and quadrilaterals.
 template <class Number>
 PolygonPoints<Number> points_of_pieces(const Polygon<Number>& polygon, int order) {
   PolygonPoints<Number> points(polygon.get_allocator());

@@ -10,23 +10,23 @@
 namespace mixture_contact {
 namespace {
 
-/// By how much a node's ray may pass a facet that it counts as meeting: a part of the gap.
+/// Largest distance at which a node's ray may miss a facet that counts as hit, as a fraction of the gap.
 constexpr double largest_miss = 0.2;
 
 using Box = Eigen::AlignedBox3d;
 
-/// The slack of a surface that moves, over the mean diagonal of its facets' boxes. A smaller one is used up sooner, a
-/// larger one lets more facets come into question.
+/// The slack of a moving surface, as a fraction of the mean diagonal of its facets' boxes. A smaller slack requires
+/// more frequent searches of the tree, a larger one leaves more facets to test.
 constexpr double slack_fraction = 0.25;
 
-/// A segment that looks for boxes.
+/// A segment for the search of boxes.
 struct Segment {
   Vector3d middle;
-  Vector3d half;  ///< half the segment as a vector
-  double width;   ///< by which boxes are enlarged
+  Vector3d half;  ///< vector from the middle to an end
+  double width;   ///< distance by which boxes are enlarged [length]
 
-  /// Separating axes of a box and a segment: the box's axes and their cross products with the segment (Gottschalk et
-  /// al. 1996).
+  /// Intersection test of a box and the segment. Separating axes are the axes of the box and their cross products with
+  /// the segment (Gottschalk et al. 1996).
   bool meets(const Box& box) const {
     const Vector3d extent = 0.5 * box.sizes() + Vector3d::Constant(width);
     const Vector3d offset = middle - box.center();
@@ -43,14 +43,14 @@ struct Segment {
   }
 };
 
-/// What a ray looks along.
+/// The segment of a ray within its search distances.
 Segment looked_along(const Ray& ray) {
   const double forwards = std::min(ray.reach, largest_tilted_reach() * ray.ahead);
   const double backwards = ray.backwards();
   return {ray.origin + 0.5 * (forwards - backwards) * ray.direction, 0.5 * (forwards + backwards) * ray.direction, 0};
 }
 
-/// Those of some facets whose boxes a segment meets.
+/// The facets of a list whose boxes meet a segment.
 std::vector<int> meeting(const Segment& segment, const std::vector<int>& facets, const std::vector<Box>& boxes) {
   std::vector<int> met;
   for (const int facet : facets) {
@@ -59,7 +59,7 @@ std::vector<int> meeting(const Segment& segment, const std::vector<int>& facets,
   return met;
 }
 
-/// Collects the facets whose boxes a segment meets, in the form that Eigen's BVIntersect asks for.
+/// Collects the facets whose boxes meet a segment, in the form that Eigen's BVIntersect requires.
 struct SegmentCollector {
   Segment segment;
   std::vector<int> found;
@@ -86,7 +86,7 @@ std::vector<Box> enlarged_boxes(const IndexedVector<Facet>& facets, const Matrix
   return boxes;
 }
 
-/// A box that holds a surface, whose facets bulge out of their nodes' box.
+/// A box that contains a surface, including curved facets that extend beyond the box of their nodes.
 Box surface_box(const Matrix3Xd& positions) {
   Box box(positions.rowwise().minCoeff(), positions.rowwise().maxCoeff());
   const Vector3d pad = Vector3d::Constant(box_margin * box.diagonal().norm());
@@ -99,7 +99,7 @@ double mean_diagonal(const std::vector<Box>& boxes) {
   return boxes.empty() ? 0 : sum / static_cast<double>(boxes.size());
 }
 
-/// The hit of nearest_facing() among some of the facets, in ascending order.
+/// The hit of nearest_facing() among facets in ascending order.
 std::optional<SurfaceHit> nearest_among(const std::vector<int>& candidates, const IndexedVector<Facet>& facets,
                                         const Matrix3Xd& positions, const Ray& ray, const AcceptHit& accept) {
   const auto length = [](const SurfaceHit& hit) { return std::abs(hit.gap) + hit.outside; };

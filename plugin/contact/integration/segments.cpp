@@ -19,14 +19,15 @@
 namespace mixture_contact {
 namespace {
 
-/// Edges closer than this part of a polygon's size coincide.
+/// Edges coincide if they are closer to each other than this fraction of a polygon's size.
 constexpr double coincident_fraction = 1e-9;
-/// A piece smaller than this part of the polygon that it was cut from is left out: where surfaces end in the same place
-/// rounding would cut such pieces.
+/// An overlap below this fraction of its polygon's area is left out. Rounding would produce such overlaps where two
+/// surfaces end at the same position.
 constexpr double negligible_fraction = 1e-8;
-/// How far outside a facet a point may be carried, in parametric coordinates: as far as a neighbour reaches.
+/// Largest distance outside a facet of a point that is projected onto it, in parametric coordinates: the size of a
+/// neighbour.
 constexpr double reach_outside = 2;
-/// Linear pieces of a facet, at most.
+/// Largest number of linear pieces of a facet.
 constexpr std::size_t max_pieces = 6;
 
 /// A facet of a pair with its nodal coordinates.
@@ -37,13 +38,12 @@ struct PlacedFacet {
 
 PlacedFacet placed(const Facet& facet, const Matrix3Xd& x) { return {facet.type, facet_coordinates(facet, x)}; }
 
-/// The share that two facets have for each other.
+/// The facing share of two facets.
 double share_of(const PlacedFacet& primary, const PlacedFacet& secondary) {
   return facing_share(middle_normal(primary.type, primary.x), middle_normal(secondary.type, secondary.x));
 }
 
-/// What a corner of a linear piece that is no node weighs its facet's nodes with: the middle of an 8-node
-/// quadrilateral.
+/// Weights of a facet's nodes at a corner of a linear piece that is not a node: the centre of an 8-node quadrilateral.
 FacetVector node_weights(FacetType type, int corner) {
   return shape_functions(type, parametric_node(type, corner)).value;
 }
@@ -51,16 +51,16 @@ FacetVector node_weights(FacetType type, int corner) {
 /// Nodes of a facet that are the corners of a polygon.
 using Corners = std::vector<int>;
 
-/// Whether a secondary facet is cut with as a whole: rules of these orders are made of moments and take polygons of any
-/// shape, others want them convex.
+/// True if the outline of a secondary facet clips as a whole. Quadrature of orders 1 and 2 uses moments and accepts
+/// polygons of any shape; higher orders require convex polygons.
 bool takes_outlines(int order) { return order <= 2; }
 
-/// How many corners the polygons have that for_each_window() uses.
+/// Number of corners of the polygons that for_each_window() uses.
 int window_corners(FacetType type, int order) {
   return number_of(takes_outlines(order) ? outline(type) : sub_facets(type).front().nodes);
 }
 
-/// Calls use(corners) for the polygons of a secondary facet that a primary one's pieces are cut with.
+/// Calls use(corners) for each polygon of a secondary facet with which the pieces of a primary facet are clipped.
 template <class Use>
 void for_each_window(FacetType type, int order, const Use& use) {
   if (takes_outlines(order)) return use(outline(type));
@@ -73,7 +73,7 @@ Vector3d corner(const PlacedFacet& facet, const Corners& piece, int a) {
   return facet.x * node_weights(facet.type, node);
 }
 
-/// A part of a facet as it is seen; its corners are numbered on from the first.
+/// The projection of a part of a facet. Its corners are numbered from `first_corner`.
 template <class Number>
 Polygon<Number> seen(const View& view, const PlacedFacet& facet, const Corners& piece, int first_corner,
                      std::pmr::memory_resource* memory) {
@@ -93,30 +93,32 @@ Vector2d middle(FacetType type, const SubFacet& piece) {
   return sum / corners;
 }
 
-/// A point on the overlap of a linear piece with another facet, before it is carried to the primary facet.
+/// A quadrature point on the overlap of a linear piece with a secondary facet, before its projection onto the primary
+/// facet.
 template <class Number>
 struct Sample {
   const PolygonPoint<Number>& point;
   const View& view;
   const Corners& primary;
   const Corners& secondary;
-  int sub_facet;  ///< number of the primary piece
+  int sub_facet;  ///< number of the primary piece in sub_facets()
 };
 
-/// Where a sample stands on the primary facet, carried along n: x1(xi) = y + s n. Empty if the line misses the facet.
+/// The projection of a sample onto the primary facet along n: x1(xi) = y + s n. Empty if the line misses the facet.
 std::optional<Vector2d> carried(const PlacedFacet& facet, const Sample<double>& sample) {
   const Vector3d place = sample.view.place(sample.point.place.value());
   const auto hit = intersect(facet.type, facet.x, place, sample.view.normal, reach_outside);
   return hit ? std::optional(hit->eta) : std::nullopt;
 }
 
-/// The quadrature weight of a sample carried to a place on the primary facet: area/(a.n).
+/// The quadrature weight of a sample that is projected to xi on the primary facet: area/(a.n).
 double carried_weight(const PlacedFacet& facet, const Sample<double>& sample, const Vector2d& xi) {
   const Eigen::Matrix<double, 3, 2> tangents = facet.x * shape_functions(facet.type, xi).gradient;
   return sample.point.area / tangents.col(0).cross(tangents.col(1)).dot(sample.view.normal);
 }
 
-/// Adds how numbers vary with the corners of a piece, whose nodes come after `first_node` of the pair.
+/// Adds the variation of numbers with the corners of a piece of one facet. `first_node`: number of the facet's first
+/// node in the pair. `by_corner`: derivatives of the numbers by the projection of a corner.
 template <int R, class ByCorner>
 void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& facet, const Corners& piece,
                  Index first_node, const ByCorner& by_corner) {
@@ -136,10 +138,10 @@ void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& fac
   }
 }
 
-/// How the place on the primary facet and the weight of a sample move with the nodes of both facets.
+/// Variation of the position xi and of the weight of a sample with the nodal positions of both facets.
 ///
-/// As it is seen along n the sample is at y, and the primary facet at q(xi) = SUM N_a q_a: q(xi) = y gives xi, and the
-/// weight is area/(q,1 x q,2).
+/// In the projection along n, the sample is at y and the primary facet at q(xi) = SUM N_a q_a. The condition q(xi) = y
+/// gives xi; the weight is area/(q,1 x q,2).
 template <class Number>
 PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& secondary, const Sample<Number>& sample,
                               const ViewTilt& tilt, const Vector2d& xi) {
@@ -156,8 +158,9 @@ PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& sec
   const Eigen::RowVector2d r2(-slope(1, 0), slope(0, 0));
 
   const Index nodes = primary.x.cols() + secondary.x.cols();
-  SeenVariation<2> shift(nodes);   // dy - SUM N_a dq_a
-  SeenVariation<1> weight(nodes);  // d(area)/area - d(q,1 x q,2)/(q,1 x q,2) at fixed xi
+  SeenVariation<2> shift(nodes);  // variation of the point relative to the facet: dy - SUM N_a dq_a
+  // Relative variation of the weight: d(area)/area - d(q,1 x q,2)/(q,1 x q,2) at fixed xi.
+  SeenVariation<1> weight(nodes);
   const auto add_sides = [&](auto& sum, const auto& by) {
     add_corners(sum, view, primary, sample.primary, 0, by);
     add_corners(sum, view, secondary, sample.secondary, primary.x.cols(),
@@ -185,14 +188,14 @@ Circle circle_of(const PlacedFacet& facet, const Corners& piece) {
   return circle_around(corners);
 }
 
-/// A linear piece of the primary facet as it is seen, which others are clipped against.
+/// The projection of a linear piece of the primary facet, with which secondary facets are clipped.
 template <class Number>
 struct Piece {
   const SubFacet& part;
   View view;
   Circle circle;
   Polygon<Number> polygon;
-  double area = 0;  ///< twice that which is seen
+  double area = 0;  ///< twice the area of the polygon
   Alignment<Number> aligned;
 };
 
@@ -213,20 +216,20 @@ Pieces<Number> pieces_of(const PlacedFacet& facet, std::pmr::memory_resource* me
   return pieces;
 }
 
-/// What the pieces of a facet take of memory, mostly: with their polygons and what else there is per piece.
+/// Upper bound for most facets of the memory of all pieces, with their polygons and tilts [bytes].
 template <class Number>
 constexpr std::size_t bytes_of_pieces = max_pieces * (sizeof(Piece<Number>) +
                                                       max_piece_corners * sizeof(Place<Number>) + sizeof(ViewTilt));
 
-/// The overlap of a piece with a part of another facet; fewer than three corners where there is none.
+/// The overlap of a piece with a part of a secondary facet; fewer than three corners if there is none.
 template <class Number>
 Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, const Corners& part,
                         std::pmr::memory_resource* memory) {
   Polygon<Number> window = seen<Number>(piece.view, facet, part, number_of(piece.part.nodes), memory);
-  if (twice_area(window) >= 0) return Polygon<Number>(memory);  // it faces away
+  if (twice_area(window) >= 0) return Polygon<Number>(memory);  // the facet faces away
   std::reverse(window.begin(), window.end());
   const double coincident = coincident_fraction * std::sqrt(piece.area);
-  // What clips is convex: an outline with nodes amid its edges may bend inwards.
+  // The polygon with which the other one is clipped has to be convex; an outline with mid-edge nodes may be concave.
   const bool may_bend = number_of(part) > max_piece_corners;
   Polygon<Number> both = may_bend ? clip(std::move(window), piece.polygon, coincident)
                                   : clip({piece.polygon, memory}, window, coincident);
@@ -234,18 +237,18 @@ Polygon<Number> overlap(const Piece<Number>& piece, const PlacedFacet& facet, co
   return both;
 }
 
-/// What an overlap takes of memory as it is made, mostly: some polygons of some corners.
+/// Upper bound for most overlaps of the memory of polygons while clipping [bytes].
 template <class Number>
 constexpr std::size_t bytes_of_overlap = 64 * sizeof(Place<Number>);
 
-/// Whether all pieces of a facet are apart from what is within a circle, as they are seen.
+/// True if no piece of a facet overlaps with a circle in the projections of the pieces.
 bool are_apart(const Pieces<double>& pieces, const Circle& circle) {
   return std::all_of(pieces.begin(), pieces.end(),
                      [&](const Piece<double>& piece) { return are_apart(piece.circle, circle, piece.view.normal); });
 }
 
-/// Calls use(sample) for the points on the overlap of a piece of a facet, given with its number, and another facet, in
-/// a fixed order.
+/// Calls use(sample) for the quadrature points on the overlap of a piece with a secondary facet, in a fixed order.
+/// `sub_facet`: number of the piece.
 template <class Number, class Use>
 void sample_piece(const Piece<Number>& piece, int sub_facet, const PlacedFacet& secondary, int order, const Use& use) {
   for_each_window(secondary.type, order, [&](const Corners& window) {
@@ -257,7 +260,8 @@ void sample_piece(const Piece<Number>& piece, int sub_facet, const PlacedFacet& 
   });
 }
 
-/// The same for all pieces of a facet that are not apart from what is within a circle.
+/// Calls use(sample) for the quadrature points on the overlaps of all pieces of a facet with a secondary facet. Pieces
+/// that are apart from the secondary facet's `circle` are skipped.
 template <class Number, class Use>
 void sample_overlap(const Pieces<Number>& pieces, const PlacedFacet& secondary, const Circle& circle, int order,
                     const Use& use) {
@@ -268,11 +272,11 @@ void sample_overlap(const Pieces<Number>& pieces, const PlacedFacet& secondary, 
   }
 }
 
-/// A facet whose overlaps are sampled, and what is the same for all of them.
+/// A primary facet with the quantities that all its overlaps have in common.
 struct SampledFacet {
   PlacedFacet placed;
   Pieces<double> pieces;
-  Vector3d normal;  ///< in its middle
+  Vector3d normal;  ///< unit normal in the middle of the facet
 };
 
 SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_resource* memory) {
@@ -280,7 +284,7 @@ SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_re
   return {here, pieces_of<double>(here, memory), middle_normal(here.type, here.x)};
 }
 
-/// A triangle as it is seen along n: places on it are linear in where they are seen.
+/// A triangle in the projection along n: its parametric coordinates are linear in the projected position.
 class SeenTriangle {
  public:
   SeenTriangle(const View& view, const FacetCoordinates& x) : corner_(view.seen(x.col(0))) {
@@ -295,7 +299,8 @@ class SeenTriangle {
   Eigen::Matrix2d inverse_;
 };
 
-/// Adds the points between triangles, whose normals are those of the view, as add_points_between() does.
+/// Adds the points between two triangles, as add_points_between() does, in closed form. The view is along the normal of
+/// the primary triangle.
 bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet& secondary, double share, int order,
                                   FacetPairs& pairs) {
   const Piece<double>& piece = primary.pieces.front();
@@ -308,8 +313,8 @@ bool add_points_between_triangles(const SampledFacet& primary, const PlacedFacet
   return pairs.pairs().back().points > 0;
 }
 
-/// Adds the points between a facet at x1 and one of the other surface at x2, within a circle, to the last pair. Returns
-/// whether there are any and all of them are found.
+/// Adds the points between a primary facet at x1 and a secondary facet at x2 to the last pair. `circle`: around the
+/// secondary facet. Returns true if there is a point and all points were projected.
 bool add_points_between(const Facet& one, const SampledFacet& primary, const Facet& two, const Circle& circle,
                         int order, const Matrix3Xd& x1, const Matrix3Xd& x2, FacetPairs& pairs) {
   if (are_apart(primary.pieces, circle)) return false;
@@ -330,7 +335,8 @@ bool add_points_between(const Facet& one, const SampledFacet& primary, const Fac
   return complete && pairs.pairs().back().points > 0;
 }
 
-/// Calls use(motion) for how each of the points of a pair moves with its nodes, at the share that its facets have.
+/// Calls use(motion) with the motion of each point of a pair, at a constant facing share. Number: a VaryingNumber with
+/// enough corners.
 template <class Number>
 void for_each_varying_motion(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary,
                              int order, const UseMotion& use) {
@@ -347,7 +353,8 @@ void for_each_varying_motion(const PointsOfPair& points, const PlacedFacet& prim
   });
 }
 
-/// The same with numbers of the smallest size that the facets allow.
+/// Calls use(motion) as for_each_varying_motion() does, with the smallest VaryingNumber that is sufficient for the
+/// facets.
 void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary, int order,
                         const UseMotion& use) {
   const int corners = number_of(sub_facets(primary.type).front().nodes) + window_corners(secondary.type, order);
@@ -358,10 +365,10 @@ void for_each_motion_of(const PointsOfPair& points, const PlacedFacet& primary, 
   for_each_varying_motion<VaryingNumber<most_corners>>(points, primary, secondary, order, use);
 }
 
-/// Whether a segment lies over a piece, and not along its outline alone.
+/// True if a segment is over the interior of a piece, not only along its outline.
 bool lies_over(const Piece<double>& piece, const Vector2d& from, const Vector2d& to) {
   const double coincident = coincident_fraction * std::sqrt(piece.area);
-  double first = 0;  // of what is left of the segment
+  double first = 0;  // start of the part of the segment that is over the piece, 0 to 1
   double last = 1;
   Vector2d start = piece.polygon.back().value();
   for (const Place<double>& corner : piece.polygon) {
@@ -378,7 +385,8 @@ bool lies_over(const Piece<double>& piece, const Vector2d& from, const Vector2d&
   return last - first > coincident_fraction;
 }
 
-/// Whether the other surface goes on, in other pairs, across each edge that the pairs of a facet of one piece end at.
+/// True if the secondary surface continues, in other pairs of the same primary facet, across every edge of its facets
+/// that lies over the facet. `piece`: the only linear piece of the primary facet.
 bool goes_on(const FacetPairs& of_facet, const Piece<double>& piece, const IndexedVector<Facet>& others,
              const EdgeNeighbours& neighbours, const Matrix3Xd& x2) {
   const auto is_paired = [&](int other) {
@@ -397,7 +405,7 @@ bool goes_on(const FacetPairs& of_facet, const Piece<double>& piece, const Index
   });
 }
 
-/// Whether the shape functions of a facet are polynomials of the second degree at most, in total.
+/// True if all shape functions of a facet are polynomials of total degree 2 at most.
 bool is_quadratic(FacetType type) {
   return type == FacetType::tri3 || type == FacetType::tri6 || type == FacetType::quad4;
 }
@@ -414,7 +422,8 @@ const IntegrationPoint& heaviest(const PointsOfPair& points) {
                            [](const auto& one, const auto& two) { return one.weight < two.weight; });
 }
 
-/// Takes out the pairs that `leaves` says; all are judged before any goes. `rest` is room for those that stay.
+/// Removes the pairs for which `leaves` is true; all are tested before any is removed. `rest`: memory for the remaining
+/// pairs.
 template <class Leaves>
 void remove_pairs(FacetPairs& pairs, FacetPairs& rest, const Leaves& leaves) {
   if (std::none_of(pairs.pairs().begin(), pairs.pairs().end(), leaves)) return;
@@ -534,7 +543,7 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reac
     LocalMemory<bytes_of_pieces<double>> memory;
     const SampledFacet one = sampled(primary_[facet], x1, memory.resource());
     for (const int other : others) add_near(facet, other, one, near);
-    // All are judged, whichever are hidden: what is hidden hides others, too.
+    // Hidden pairs count in the test of the other pairs: a hidden facet hides others as well.
     const auto is_hidden = [&](const FacetPair& pair) {
       return !is_kept(pair) && occluded(pair, near, x1, x2, circles);
     };

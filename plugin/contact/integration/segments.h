@@ -1,11 +1,13 @@
-/// Segment integration: each primary facet is cut into the pieces that face different secondary facets, and the
-/// integral is taken piece by piece, exactly where fields of the secondary side have kinks at its facets' edges.
+/// Segment integration: each primary facet is cut into the pieces that face different secondary facets, and each piece
+/// is integrated separately. The fields of the secondary side have kinks at the edges of its facets; these edges are
+/// also edges of the pieces, so the quadrature never crosses a kink.
 ///
-/// Facets of both sides are polygons through their nodes (quadratic ones: four polygons whose straight edges
-/// join neighbouring nodes), seen along the normal in the middle of the primary polygon (Puso and Laursen 2004, Comput
-/// Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). Points on their overlap follow its
-/// area, centroid and covariance (polygon_quadrature.h). A point of such a piece is carried along that normal to the
-/// primary facet, and from there along the facet's own normal, as everywhere, to the secondary one.
+/// The facets of both sides count as polygons through their nodes (a quadratic facet: four polygons whose straight
+/// edges join neighbouring nodes). They are projected along the normal in the middle of the primary polygon (Puso and
+/// Laursen 2004, Comput Methods Appl Mech Eng 193:601-629; Puso, Laursen and Solberg 2008, 197:555-566). The area,
+/// centroid and covariance of their overlap give the quadrature points (polygon_quadrature.h). A quadrature point is
+/// projected along that normal onto the primary facet, and from there along the facet's own normal onto the secondary
+/// facet.
 #pragma once
 
 #include "integration/clipping.h"
@@ -18,22 +20,22 @@ namespace mixture_contact {
 
 struct Circle;
 
-/// Order of the rule on the pieces where the user gives none: 2 where the shape functions of both facets have no term
-/// beyond the second degree (tri3, tri6, quad4), else 3. It makes a uniform load exact on flat triangles and
-/// parallelograms; psi times an affine gap with 4.
+/// Order of the quadrature rule on the pieces if the user gives none: 2 if no shape function of either facet is beyond
+/// the second degree (tri3, tri6, quad4), else 3. It integrates a uniform load exactly on flat triangles and
+/// parallelograms. Order 4 would be exact for psi times an affine gap.
 int default_segment_order(FacetType primary, FacetType secondary);
 
-/// Integration points on the segments of facing facets.
+/// Integration points on the overlaps of facing facets.
 ///
-/// A secondary facet counts only where no other one, which is not its neighbour, lies nearer within its overlap with
-/// the primary facet. The weights of its points are multiplied by the share of both facets (facing_share.h).
+/// A secondary facet is paired with a primary one only if no other facet, except its own neighbours, is nearer within
+/// their overlap. The weights of the points are multiplied by the facing share of both facets (facing_share.h).
 ///
-/// The view of facets of each other ends with a jump: farther ahead than they look, or where a body comes between. Two
-/// facets that lose each other for the second time between iterations are at such an edge: until the iterations end
-/// they see each other.
+/// A pair is lost abruptly where the facets move out of each other's search distance, or where a body comes between
+/// them. A pair that is lost for the second time within the iterations of a step is kept until they end.
 class Segments : public PointFinder {
  public:
-  /// order: of the quadrature rule on the pieces; 0: default_segment_order. neighbours: of secondary facets.
+  /// `order`: order of the quadrature rule on the pieces; 0: default_segment_order. `neighbours`: edge neighbours of
+  /// the secondary facets.
   Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, SelfContact self = {},
            EdgeNeighbours neighbours = {}, Visibility visibility = {});
 
@@ -49,6 +51,7 @@ class Segments : public PointFinder {
   }
 
  private:
+  /// Indices of the facets of a pair.
   struct Facing {
     int primary = 0;
     int secondary = 0;
@@ -56,19 +59,22 @@ class Segments : public PointFinder {
       return primary != other.primary ? primary < other.primary : secondary < other.secondary;
     }
   };
+  /// Number of losses from which a pair is kept.
   static constexpr int most_losses = 2;
-  /// The secondary facets that may face a primary one.
+  /// Indices of the secondary facets near a primary one.
   std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const;
-  /// Whether two facets are at the edge of their view of each other.
+  /// True if the pair is kept until the iterations end, because it was lost repeatedly.
   bool is_kept(const FacetPair& pair) const;
-  /// Whether the facets of a pair face each other at one of its points.
+  /// True if the facets of a pair face each other within reach, and nothing hides them, at one of the pair's points.
   bool sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
             const Reach& reach) const;
-  /// Whether another one of the pairs of its primary facet lies nearer; `circles`: around secondary facets.
+  /// True if another pair in `all`, on the same primary facet, has a nearer secondary facet. `circles`: circles around
+  /// the secondary facets.
   bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2,
                 const IndexedVector<Circle>& circles) const;
+  /// Order of the quadrature rule of a pair.
   int order(const Facing& facing) const;
-  /// Whether the rule for a pair is exact: both facets are flat, and the integrand is of the second degree.
+  /// True if the quadrature is exact for a pair: both facets are flat and the order is at least 2.
   bool is_exact(const FacetPair& pair) const;
 
   const IndexedVector<Facet>& primary_;
@@ -77,9 +83,9 @@ class Segments : public PointFinder {
   SelfContact self_;
   EdgeNeighbours neighbours_;
   Visibility visibility_;
-  std::vector<Facing> paired_;        ///< result of the last search(), ascending
-  std::vector<Facing> at_iteration_;  ///< result at the start of the iteration
-  std::map<Facing, int> losses_;      ///< how often pairs were lost since the iteration before
+  std::vector<Facing> paired_;        ///< pairs found by the last search(), ascending
+  std::vector<Facing> at_iteration_;  ///< pairs at the start of the iteration, ascending
+  std::map<Facing, int> losses_;      ///< how often each pair was lost within the iterations of this step
 };
 
 }  // namespace mixture_contact

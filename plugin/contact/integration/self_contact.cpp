@@ -9,7 +9,7 @@
 namespace mixture_contact {
 namespace {
 
-constexpr double largest_overlap_share = 0.5;  // of an element's thickness
+constexpr double largest_overlap_share = 0.5;  // fraction of an element's thickness
 
 /// The facets around each node, by its number in the host's mesh.
 std::map<int, std::vector<int>> facets_around(const SurfaceMesh& mesh) {

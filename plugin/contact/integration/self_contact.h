@@ -1,4 +1,4 @@
-/// The view of a facet where a body meets itself.
+/// Restrictions on pairs of facets where a body meets itself.
 #pragma once
 
 #include "geometry/surface.h"
@@ -7,36 +7,38 @@
 
 namespace mixture_contact {
 
-/// A point sees neither its own facet nor one that shares a node with it. (How far normals have to oppose each other is
-/// the same for all contacts.)
+/// The facets that cannot be paired where a surface is in contact with itself.
 ///
-/// Behind it, through its own body, it sees the far side of that body, whose normal opposes its own as that of an
-/// overlapping facet does. The far side is at least one element away: an overlap counts up to half the thickness of the
-/// element behind the point.
+/// A facet is paired neither with itself nor with a facet that shares a node with it.
+///
+/// A ray backwards from a point, through its own body, meets the far side of that body, whose normal opposes its own in
+/// the same way as that of an overlapping facet. The far side is at least one element away. An overlap therefore counts
+/// only up to half the thickness of the element behind the point.
 class SelfContact {
  public:
-  /// Surfaces that have nothing in common: all is seen.
+  /// Two surfaces without common facets: no pair is excluded.
   SelfContact() = default;
   SelfContact(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
-  /// Whether a body meets itself.
+  /// True if the surfaces are those of one body.
   bool is_active() const { return neighbours_.count() > 0; }
-  /// Whether a primary facet never sees a secondary one.
+  /// True if a primary and a secondary facet are never paired.
   bool excludes(int primary, int secondary) const;
-  /// Keeps the facets that a primary one may face.
+  /// Removes from a list of secondary facets those that are never paired with a primary facet.
   void keep_visible(int primary, std::vector<int>& secondary) const;
-  /// The largest overlap that counts at a primary facet [mm].
+  /// The largest overlap that counts at a primary facet [mm]; infinite if the body does not meet itself.
   double largest_overlap(int primary) const;
 
   std::size_t memory() const;
 
  private:
-  IndexedVector<std::vector<int>> neighbours_;  ///< per primary facet: secondary ones with a node of it, ascending
-  VectorXd largest_overlap_;                    ///< per primary facet
+  /// Per primary facet: the secondary facets that share a node with it, ascending.
+  IndexedVector<std::vector<int>> neighbours_;
+  VectorXd largest_overlap_;  ///< largest overlap that counts, per primary facet [mm]
 };
 
-/// The largest overlap that counts at each node of a surface [mm]: the smallest of the facets around it. Empty if
-/// the surface does not meet itself.
+/// The largest overlap that counts at each node of a surface [mm]: the smallest of those of its facets. Empty if the
+/// surface does not meet itself.
 VectorXd largest_overlaps_of_nodes(const SurfaceMesh& mesh);
 
 }  // namespace mixture_contact

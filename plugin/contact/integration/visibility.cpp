@@ -10,13 +10,15 @@
 namespace mixture_contact {
 namespace {
 
-/// Facets this near to an end of the way, as a part of the surface's size, lie at the end.
+/// A facet within this fraction of the surface's size from an end of the segment counts as being at the end.
 constexpr double at_end = 1e-9;
-/// How far outside a facet it is still met, in parametric coordinates: what passes between two facets meets both.
+/// Tolerance outside a facet within which a segment meets it, in parametric coordinates: a segment through the edge of
+/// two facets meets both.
 constexpr double seam = 1e-6;
-/// What part of an element's thickness an overlap has that is not looked at.
+/// Overlaps up to this fraction of the elements' thickness always count.
 constexpr double shallow_part = 0.5;
-/// The deepest overlap that counts, over the thickness of the thinner body: bodies side by side have at least 1.
+/// The largest overlap that counts, as a fraction of the thickness of the thinner body. Facets of bodies that are side
+/// by side appear to overlap by at least the whole thickness.
 constexpr double deepest_part = 0.75;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 

@@ -7,7 +7,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Calls use(now, before) with the two indices of each node that a surface had before.
+/// Calls use(now, before) with both indices of each node that the surface had before and still has.
 template <class Use>
 void for_each_common(const IndexedVector<int>& before, const IndexedVector<int>& now, const Use& use) {
   std::unordered_map<int, Index> known;
@@ -18,7 +18,7 @@ void for_each_common(const IndexedVector<int>& before, const IndexedVector<int>&
   }
 }
 
-/// Copies what a node had, of a matrix with a column per node; nothing where that is not kept.
+/// Copies the column of a node, unless one of the matrices is empty.
 void copy_node(Matrix3Xd& to, Index node, const Matrix3Xd& from, Index source) {
   if (to.cols() > 0 && from.cols() > 0) to.col(node) = from.col(source);
 }

@@ -13,7 +13,7 @@ void for_each_geometry(Contact& contact, const Use& use) {
 
 bool is_correctable(const HeldLinearisation* held) { return held != nullptr && held->is_correctable(); }
 
-/// Calls use(side, held) for each pass that holds a linearisation which can be corrected.
+/// Calls use(side, held) for each pass whose linearisation can be corrected.
 template <class Contact, class Use>
 void for_each_correctable(Contact& contact, const Use& use) {
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
@@ -63,7 +63,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
   bool is_known = true;
   for_each_geometry(contact, [&](Side side, ContactGeometry& geometry) {
     const HeldLinearisation* const held = geometry.held();
-    if (held == nullptr || !is_known) return;  // surfaces that are fixed hold nothing, and nothing changes
+    if (held == nullptr || !is_known) return;  // fixed surfaces have no linearisation, and nothing changes
     is_known = held->residual_change(seen_from(side, fields), dt, [&](const Patch& patch, const VectorXd& values) {
       timed.in_host([&] { add({side, patch}, values); });
     });

@@ -10,7 +10,7 @@
 namespace mixture_contact {
 namespace {
 
-/// How far each node looks ahead: as far as the longest-sighted facet around it.
+/// The search distance ahead of each node: the largest one of the facets around it.
 VectorXd farthest_ahead(const SurfaceMesh& mesh, const Matrix3Xd& position, const Reach& reach) {
   VectorXd ahead = VectorXd::Zero(mesh.nodes);
   for (const Facet& facet : mesh.facets) {

@@ -1,4 +1,4 @@
-/// The points opposite the nodes of a pass's other surface.
+/// The points that nodes of the secondary surface of a pass face on its primary surface.
 #pragma once
 
 #include "interface/pass.h"
@@ -7,51 +7,57 @@
 
 namespace mixture_contact {
 
-/// A pass over one of the two surfaces.
+/// A pass with its side, and the status of the nodes of the other surface.
 struct SidedPass {
-  Side side;  ///< the surface integrated over
+  Side side;  ///< side of the surface over which the pass integrates
   std::unique_ptr<ContactPass> integral;
-  std::optional<NodeFlags> faced;    ///< nodes of the other surface that face contact, during iterations
-  IndexedVector<int> faced_changes;  ///< of these, since the iterations began
-  bool has_reconsidered = false;     ///< since then, too
+  /// Nodes of the other surface that face contact, during iterations; empty outside of them.
+  std::optional<NodeFlags> faced;
+  IndexedVector<int> faced_changes;  ///< number of changes in `faced` since the start of iterations, per node
+  bool has_reconsidered = false;     ///< true if reconsiders_facing() has been true since the start of iterations
 };
 
-/// The point opposite a node of a pass's other surface.
+/// The point that a node of the secondary surface of a pass faces.
 struct FacingNode {
-  int facet = -1;  ///< of the surface integrated over; -1: none
-  double gap = 0;  ///< along the node's own normal [mm]
+  int facet = -1;  ///< facet of the primary surface; -1: none
+  double gap = 0;  ///< gap along the node's own normal [mm]
+  /// True if the point is in contact.
   bool in_contact = false;
 };
 
-/// The search radius of the settings. Its default behind the facet, for overlapping bodies, is half the size of the
-/// smaller surface, because bodies hide the surfaces behind them. Ahead it is a quarter of a facet, and more for tilted
-/// facets; with tension and self-contact, it is that behind. Surfaces that meet within a step find each other once they
-/// overlap.
+/// The search distances of the settings. By default, the distance backwards (for overlapping bodies) is half the size
+/// of the smaller surface, because bodies hide the surfaces behind them. The distance ahead is a quarter of a facet,
+/// and larger for tilted facets; with tension and for self-contact it equals the distance backwards. Surfaces that meet
+/// within a step find each other as soon as they overlap.
 Reach reach_of(const Settings& settings, const FacingPositions& x);
 
-/// The point that each node of a surface, the primary one of the positions, meets on the other one along its normal,
-/// within reach and not hidden from it.
+/// The points that the nodes of the primary surface in `x` face on the secondary one along their normals, within reach
+/// and not hidden; empty for nodes that face nothing.
 IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
                                                        const FacingPositions& x, const Settings& settings);
 
-/// The points that nodes of the other surface face, given which nodes of the surface integrated over are in contact.
+/// The points that nodes of the other surface face. `in_contact`: nodes in contact of the surface over which the pass
+/// integrates.
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings);
 
+/// FacingNode::in_contact of all nodes.
 NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
 
-/// Nodes that face contact in an iteration that begins, where `facing` do. Nodes that change too often are at the edge
-/// of contact, as in ActiveSet; loads play no part here.
+/// The nodes that face contact in the next iteration. `facing`: nodes that face contact in the present state. Nodes
+/// that change too often keep their status, because they are at the edge of contact as in ActiveSet.
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
-/// Takes over which nodes face contact, for an iteration that has begun, and counts the changes.
+/// Sets the nodes that face contact in the iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);
 
-/// Whether nodes held after too many changes should have another status by `facing` at a solution. They are tried once
-/// more. Resets all counts, at most once after the start of iterations.
+/// True if nodes whose status was kept after too many changes should have another status at a solution, according to
+/// `facing`. It then resets all counts, so that these nodes are tried once more; at most once after the start of
+/// iterations.
 bool reconsiders_facing(SidedPass& pass, const NodeFlags& facing);
 
-/// Outward unit normals at the nodes: the sum of the area vectors of the facets around each.
+/// Outward unit normals at the nodes, along the sum of the area vectors of the facets around each node; shape (3,
+/// nodes).
 Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position);
 
 }  // namespace mixture_contact

@@ -52,8 +52,9 @@ bool has_reduced_penalty(const Settings& settings) {
   return settings.enforcement == Enforcement::penalty && settings.reduced_traction.divisor > 1;
 }
 
-/// Has the law of each node pass by the accepted state, from which a reduced penalty would be far: its loads would ask
-/// for overlaps that are as many times deeper as the penalty is smaller. What it does not bear fades from step to step.
+/// Sets the multipliers such that the law of each node passes through the accepted load and gap. Without multipliers, a
+/// reduced penalty would require an overlap that is larger by the divisor. The fraction `kept` makes the multipliers
+/// decrease from step to step.
 void keep_loads(ContactPass& pass, double kept) {
   NodalLaws& laws = pass.laws();
   const NodalGaps& gaps = pass.space().gaps();
@@ -73,7 +74,7 @@ Memory memory_of(const std::vector<SidedPass>& passes) {
   return now;
 }
 
-/// Some nodes of a surface, and those at which the bodies are one.
+/// The given nodes together with the joined nodes of a surface.
 NodeFlags with_joined(NodeFlags nodes, const SurfaceMesh& mesh) {
   for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] || mesh.is_joined(node);
   return nodes;
@@ -262,7 +263,7 @@ GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
   for (const SidedPass& pass : passes_) {
-    // Beside unknown multipliers penalties leave gaps of their own, which no augmentation closes.
+    // Penalties of a second pass next to unknown multipliers leave gaps that no augmentation closes.
     if (pass.integral->space().has_unknown_multipliers() != this->pass(0).space().has_unknown_multipliers()) continue;
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     keep_worst(worst.traction, report.traction);
@@ -398,7 +399,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   for (const SidedPass& pass : passes_) {
     NodalLaws& laws = pass.integral->laws();
     if (!same) laws.update_penalties();
-    if (was_reduced) laws.multipliers.traction.setZero();  // a full penalty has no multipliers
+    if (was_reduced) laws.multipliers.traction.setZero();  // a penalty at its full value has no multipliers
     if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
 }

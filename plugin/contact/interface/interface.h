@@ -7,14 +7,14 @@
 
 namespace mixture_contact {
 
-/// A contact between two surfaces. Evaluations are const; project() sets the configuration, augment() the multipliers,
-/// check_penetration() the nodes that a second pass is limited to. Functions of contacts outside of the class: balances
-/// and values at nodes (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
+/// A contact between two surfaces. Evaluations are const. project() sets the configuration, augment() the multipliers,
+/// and check_penetration() the nodes to which a second pass is restricted. Other files have further functions of a
+/// contact: balances and nodal values (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
 class ContactInterface {
  public:
-  /// The location of a local residual or tangent.
+  /// The nodes and fields of a local residual or tangent.
   struct Location {
-    Side first;          ///< the side of `patch.primary`, the surface integrated over
+    Side first;          ///< side of the nodes in `patch.primary`, over whose surface the pass integrates
     const Patch& patch;  ///< nodes and fields
   };
   using AddResidual = std::function<void(const Location&, const VectorXd&)>;
@@ -25,7 +25,8 @@ class ContactInterface {
   using UseLoadPlace = std::function<void(Side first, const LoadPlace&)>;
   using UseRows = std::function<void(Side first, const IndexedVector<TangentBlock>&)>;
 
-  /// Throws std::invalid_argument for two passes with unknown multipliers: twice as many conditions as can be met.
+  /// Throws std::invalid_argument for two passes with unknown multipliers, which would be twice as many conditions as
+  /// the surfaces can meet.
   ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings);
   ContactInterface(const ContactInterface&) = delete;
   ContactInterface& operator=(const ContactInterface&) = delete;
@@ -33,106 +34,109 @@ class ContactInterface {
   ContactInterface& operator=(ContactInterface&&) = delete;
   ~ContactInterface() = default;
 
-  /// Whether a projection looks for the facet again or keeps to the one that a point saw last.
+  /// Whether project() searches for the facet of each point, or keeps the facet of the last search.
   enum class Search { everywhere, same_facets };
 
-  /// Sets the configuration: search and projection. Nothing happens if that has been done for these positions.
+  /// Sets the configuration: searches and projects. It does nothing if this was done for the same positions.
   void project(const PerSide<Matrix3Xd>& position, Search search = Search::everywhere);
 
-  /// Switches the exchange of traction (Effects::traction): off where no node of either surface can move. Takes effect
-  /// with the next project(); multipliers stay.
+  /// Enables or disables the exchange of tractions (Effects::traction); disabled if no node of either surface can move.
+  /// It takes effect with the next project(). Multipliers are kept.
   void exchange_traction(bool traction);
 
-  /// Begins a Newton iteration at a state (see ContactPass::begin_iteration); project() must have been called at its
-  /// positions. Returns whether the loads at this state differ from those before the call, so that the residual has to
-  /// be evaluated again.
+  /// Begins a Newton iteration at a state, for whose positions project() has been called (see
+  /// ContactPass::begin_iteration). Returns true if the loads at this state differ from those before the call, so that
+  /// the residual has to be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Moves the linearisation of an iteration to another state (see ContactPass::linearise_at), after project().
+  /// Moves the linearisation point of an iteration to another state (see ContactPass::linearise_at), after project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
-  /// Drops the linearisation of begin_iteration(): the laws act on the true gaps and jumps again.
+  /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
   void end_iterations();
-  /// Whether a state found in iterations is a solution of the true laws.
+  /// True if a state at the end of iterations is a solution of the true laws.
   bool is_solution(const PerSide<SurfaceFields>& fields) const;
-  /// Whether the nodes that face contact are still those that the iteration began with.
+  /// True if the nodes that face contact are the same as at the start of the iteration.
   friend bool faces_as_held(const ContactInterface& contact);
   friend bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
   friend void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
+  /// Calls `add` with the residual of each part of (2.5). `dt`: time increment [s].
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// Loads at nodes are load blocks if `add_load` is given and the pass has them, and blocks otherwise. `add_rows`, if
-  /// given, takes the held change of the geometry by nodes, times a factor and without weak couplings (see
-  /// geometric_rows.h).
+  /// Calls `add` with the blocks of the tangent (2.6). `add_load` (optional) receives nodal loads as load blocks where
+  /// possible. `add_rows` (optional) receives the held geometric part by nodes, with a factor and without weak
+  /// couplings (see geometric_rows.h).
   void tangent(const PerSide<SurfaceFields>& fields, double dt, const AddTangent& add,
                const AddLoadTangent& add_load = {}, const AddRows& add_rows = {}) const;
-  /// The patches that tangent() would fill with the present status; those of load blocks by way of `use_load`, and
-  /// those of rows by way of `use_rows`.
+  /// Calls `use` with each patch of tangent() for the present status. `use_load` and `use_rows` (both optional) receive
+  /// the couplings of load blocks and of rows.
   void for_each_coupling(const UseLocation& use, const UseLoadPlace& use_load = {}, const UseRows& use_rows = {}) const;
 
-  /// Accepts a state as the start of the next step: its tractions, flux-coupled nodes, and with friction the reference
-  /// positions of slips. Iterations end with it.
+  /// Accepts a state as the start of the next step: its tractions, flux-coupled nodes and, with friction, the reference
+  /// positions of slips. This ends the iterations.
   void accept_step(const PerSide<SurfaceFields>& fields);
-  /// Drops accepted steps: loads and slips begin at the positions of the next projection.
+  /// Discards accepted steps: loads and slips begin at the positions of the next projection.
   void forget_steps();
 
-  /// Gaps at the current state, the larger ones of both passes; meets() compares them with the tolerances.
+  /// The errors in the contact conditions at the present state, the larger ones of both passes; meets() compares them
+  /// with the tolerances.
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
 
-  /// One augmentation: multipliers take the current loads, and slow fields a larger penalty. Returns whether any
-  /// penalty has grown.
+  /// Performs an augmentation: multipliers become the present loads, and fields that converge slowly get a larger
+  /// penalty. Returns true if a penalty has grown.
   bool augment(const PerSide<SurfaceFields>& fields);
 
-  /// The nodes of each surface that are in contact and flux-coupled by it; the others have the ambient values.
+  /// The nodes of each surface that are in contact and flux-coupled; all other nodes have ambient values.
   PerSide<NodeFlags> nodes_in_contact() const;
 
-  /// The nodes_in_contact() of an iteration that has begun: once in each, and only where there is an ambient. Nodes
-  /// that face contact are held until the next one, so that those at the edge of contact do not come and go for ever.
+  /// The nodes_in_contact() of an iteration that has begun. To be called once per iteration, if nodes can have ambient
+  /// values. Nodes that face contact keep this status until the next iteration, such that those at the edge do not
+  /// alternate for ever.
   PerSide<NodeFlags> hold_nodes_in_contact();
 
-  /// Looks, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes that
-  /// face the same primary facets become penetration-check nodes, those of a second pass in which no others can close,
-  /// and remain so: open ones bear no load. is_solution() decides whether this changes the loads. Returns the
-  /// penetration detected for the first time.
+  /// Searches, at a solution, for secondary nodes inside the primary body that no pass detects. All secondary nodes
+  /// that face the same primary facets become penetration-check nodes, permanently; only these can close in a second
+  /// pass. Open ones bear no load. is_solution() decides whether this changes the loads. Returns the penetration that
+  /// was detected for the first time.
   ///
-  /// Nothing with two passes or self-contact, where secondary nodes have laws of their own already, and without
-  /// traction: surfaces that cannot move stay as the user placed them. Penetration-check nodes keep default penalties
-  /// if multipliers are unknowns: there is no room for unknowns on both surfaces.
+  /// It finds nothing with two passes or self-contact, where secondary nodes have laws of their own, and without
+  /// traction, where surfaces that cannot move may overlap. If multipliers are unknowns, penetration-check nodes have
+  /// default penalties, because unknowns are not possible on both surfaces.
   UndetectedPenetration check_penetration(const PerSide<SurfaceFields>& fields);
 
-  /// The overlap without load after the last check_penetration().
+  /// The overlap without load found by the last check_penetration().
   const UndetectedPenetration& undetected_penetration() const { return check_.undetected; }
 
-  /// Replaces stiffness and conductance of a surface's facets and recomputes the penalties.
+  /// Sets stiffness and conductance of the facets of both surfaces, and computes the penalties again.
   void update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance);
 
-  /// Takes penalties, tolerances and the offset from these settings, which may follow load curves; the others stay as
-  /// they are. A penalty of the traction that is reduced has multipliers, with Enforcement::penalty, that keep the
+  /// Sets penalties, friction, membrane, tolerances and the offset from `settings`, which may follow load curves; other
+  /// settings stay the same. With Enforcement::penalty, a reduced traction penalty has multipliers that keep the
   /// accepted loads.
   void update_laws(const Settings& settings);
 
   const Effects& effects() const { return effects_; }
   const Settings& settings() const { return settings_; }
   const SurfaceMesh& mesh(Side side) const { return mesh_[side]; }
-  /// The pass over the primary surface comes first.
+  /// The pass with this index; index 0 is the pass over the primary surface.
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   ContactPass& pass(std::size_t index) { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
-  /// Times of the contact, to which const hosts add their own work.
+  /// Times and memory of the contact; const, because hosts add the time of their own work.
   Measurements& measurements() const { return measurements_; }
 
-  /// All that is kept between time steps, to be stored and restored by the host.
+  /// All data that are kept between time steps, for the host to store and restore.
   struct State {
-    std::vector<int> check_nodes;          ///< secondary nodes that a second pass is limited to, ascending
-    std::vector<Multipliers> multipliers;  ///< per pass
-    PerSide<Matrix3Xd> slips_from;         ///< positions that slips are measured from; empty without friction
-    std::vector<LoadCarriers> carriers;    ///< per pass, on which those of the next step depend
+    std::vector<int> check_nodes;          ///< secondary nodes to which a second pass is restricted, ascending
+    std::vector<Multipliers> multipliers;  ///< multipliers per pass
+    PerSide<Matrix3Xd> slips_from;         ///< positions from which slips are measured; empty without friction
+    std::vector<LoadCarriers> carriers;    ///< load carriers per pass, on which those of the next step depend
   };
   State state() const;
-  /// Iterations end with it. Throws std::invalid_argument, and changes nothing, if the state is not one of this
-  /// contact.
+  /// Sets the state, which ends the iterations. Throws std::invalid_argument without any change if the state does not
+  /// fit this contact.
   void restore(State state);
 
  private:
-  /// Restricts a second pass, which joins the first one if need be, to the penetration-check nodes.
+  /// Restricts the second pass to the penetration-check nodes. It makes this pass if there is none.
   void restrict_second_pass();
 
   PerSide<SurfaceMesh> mesh_;
@@ -142,18 +146,20 @@ class ContactInterface {
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
   PerSide<Matrix3Xd> slips_from_;  ///< positions of the last accepted state; empty without friction
-  bool searched_ = false;          ///< whether the last projection was a search everywhere
+  bool searched_ = false;          ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };
 
+/// True if the nodes that face contact are the same as at the start of the iteration.
 bool faces_as_held(const ContactInterface& contact);
 
-/// Whether a state has edge nodes that have to be tried once more (ActiveSet::reconsiders_edge(),
-/// reconsiders_facing()); it is no solution then.
+/// True if a state has edge nodes that have to be tried once more (ActiveSet::reconsiders_edge(),
+/// reconsiders_facing()); it is not a solution then.
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
-/// Marks nodes of the surfaces as joined by another interaction, or frees them: joined nodes do not close, and have no
-/// ambient values. Iterations end with it. The next project() finds the opposite points of the others.
+/// Marks nodes of both surfaces as joined by another interaction such as a tie, or as free. Joined nodes do not close
+/// and have no ambient values. This ends the iterations. The next project() finds the opposite points of the free
+/// nodes.
 void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 }  // namespace mixture_contact

@@ -7,7 +7,7 @@
 namespace mixture_contact {
 namespace {
 
-/// The spacing of the largest coordinates [mm].
+/// The rounding error of the largest coordinate [mm].
 double rounding_of(const PerSide<SurfaceFields>& fields) {
   double largest = 0;
   for (const Side side : both_sides) largest = std::max(largest, fields[side].position.cwiseAbs().maxCoeff());

@@ -1,14 +1,17 @@
-/// The unknown multipliers of a contact, for which a host solves.
+/// The multipliers of a contact that are unknowns of the host's equation system.
 #pragma once
 
 #include "interface/interface.h"
 
 namespace mixture_contact {
 
-/// Unknown multipliers (see UnknownMultipliers): present with Enforcement::lagrange_multipliers alone, and in one pass
-/// only. The host gives each an equation, and sets them with every trial state before residual() or tangent().
+/// The order of the unknown multipliers (see UnknownMultipliers), which exist only with
+/// Enforcement::lagrange_multipliers and one pass. The host has one equation for each, and sets them for every trial
+/// state before residual() or tangent().
 MultiplierLayout multiplier_layout(const ContactInterface& contact);
+/// The values of the unknown multipliers.
 VectorXd unknown_multipliers(const ContactInterface& contact);
+/// Sets the unknown multipliers.
 void set_unknown_multipliers(ContactInterface& contact, const VectorXd& mu);
 
 }  // namespace mixture_contact

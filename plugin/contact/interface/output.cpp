@@ -7,15 +7,17 @@ namespace {
 
 VectorXd inverse_or_zero(const VectorXd& values) { return (values.array() > 0).select(values.array().inverse(), 0.0); }
 
-/// Area in contact that belongs to each node of a side, given that of each pass: two full passes cover the same area,
-/// each with the errors of its own integration; a restricted pass covers what the first one leaves, and its edge.
+/// The area in contact of each node of a side, from the areas `first` and `second` in both passes. Two full passes
+/// cover the same area, each with its own integration errors. A restricted pass covers the area that the first one
+/// leaves, and its edge.
 VectorXd tributary_area_of(const VectorXd& first, const VectorXd& second, bool two_pass) {
   if (!two_pass) return first.cwiseMax(second);
   const auto both = first.array() > 0 && second.array() > 0;
   return both.select(0.5 * (first + second), first + second);
 }
 
-/// A node slides where more than half of the contact around it does.
+/// The friction status of nodes from facing points: a node slides if more than half of its area in contact does.
+/// `slips`: sliding area; `areas`: area in contact.
 VectorXd status_of(const VectorXd& slips, const VectorXd& areas) {
   VectorXd status(areas.size());
   for (Index node = 0; node < areas.size(); ++node) {
@@ -25,7 +27,7 @@ VectorXd status_of(const VectorXd& slips, const VectorXd& areas) {
   return status;
 }
 
-/// Nodes of the surface that a pass integrates over have a status of their own.
+/// Sets the status of nodes of the primary surface of a pass, which have a friction status of their own.
 void take_status(const SlidingNodes& nodes, FrictionOutput& out) {
   for (Index node = 0; node < out.status.size(); ++node) {
     if (nodes.in_contact[node] == 0) continue;
@@ -33,7 +35,7 @@ void take_status(const SlidingNodes& nodes, FrictionOutput& out) {
   }
 }
 
-/// What passes say of a surface.
+/// The sums of all passes for one surface.
 class SideSums {
  public:
   SideSums(const ContactInterface& contact, Side side, const std::vector<OutputSums>& passes)
@@ -55,8 +57,8 @@ class SideSums {
     return rows_.has_friction() ? Vector3d(sums_.middleRows<3>(rows_.traction()).rowwise().sum()) : Vector3d::Zero();
   }
 
-  /// Divides the sums by the areas that they are weighted with. Gaps are those of the surfaces, whatever the offset at
-  /// which they touch. Passes that cover the same area share its load: each integrates a part of it.
+  /// Divides the sums by their areas. Gaps are distances of the surfaces, whatever the offset. If passes cover the same
+  /// area, each bears a part of the load.
   NodalOutput divided(double offset) const {
     const VectorXd areas = sums_.row(OutputRows::area);
     const VectorXd mean = inverse_or_zero(areas);
@@ -80,7 +82,7 @@ class SideSums {
   VectorXd row(Index number) const { return sums_.row(number); }
 
   OutputRows rows_;
-  MatrixXd sums_;  ///< as this surface has them
+  MatrixXd sums_;  ///< sums per node, with the signs of this surface
   VectorXd tributary_area_;
 };
 

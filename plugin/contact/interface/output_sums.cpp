@@ -6,13 +6,13 @@
 namespace mixture_contact {
 namespace {
 
-/// Area of a point, shared among the nodes of a facet of whose functions these are the values [mm^2].
+/// The area of a point, distributed to the nodes of a facet with these shape function values [mm^2].
 FacetVector shares_of_area(const PointContact& point, const FacetVector& shape) {
   const FacetVector size = shape.cwiseAbs();
   return point.loads.weight * point.kinematics.area / size.sum() * size;
 }
 
-/// Sets what a point says of friction, in its rows.
+/// Sets the friction values of a point in its rows.
 void set_sliding(const PointContact& point, const Facet& facet, const SlidingNodes& nodes, const OutputRows& rows,
                  VectorXd& values) {
   values[OutputRows::bound] = point.psi.dot(facet_values(facet, nodes.bound));
@@ -22,7 +22,7 @@ void set_sliding(const PointContact& point, const Facet& facet, const SlidingNod
   values.segment<3>(rows.slip()) = facet_coordinates(facet, nodes.slip) * point.psi;
 }
 
-/// Sets what a point says, of the surface that is integrated over.
+/// Sets the values of a point on the primary surface.
 void set_values(const PointContact& point, const OutputRows& rows, VectorXd& values) {
   const PairVector h = point.kinematics.jump_weights();
   values.setZero(rows.count());
@@ -50,7 +50,7 @@ void set_by_points(const LoadedState& state, const FacetPair& pair, OutputSums& 
   });
 }
 
-/// A flat pair with N2_c in place of psi_c: what its points are summed for at the secondary nodes c.
+/// The flat pair with N2_c in place of psi_c, whose moments give the sums at the secondary nodes c.
 FlatPair by_secondary_nodes(const FlatPair& flat, const PointsOfPair& points, const FacetCoordinates& x1,
                             const FacetCoordinates& x2) {
   FlatMoments moments{flat.moments.secondary.transpose()};
@@ -61,7 +61,7 @@ FlatPair by_secondary_nodes(const FlatPair& flat, const PointsOfPair& points, co
   return flat_pair(moments, x1, x2);
 }
 
-/// Sets the sums of areas, gaps and jumps at the nodes c of a flat pair; all others are zero.
+/// Sets the sums of areas, gaps and jumps at the nodes c of a flat pair, and all other sums to zero.
 void set_averages(const FlatPair& flat, const IndexedVector<int>& fields, const PairFields& values,
                   const OutputRows& rows, MatrixXd& sums) {
   sums.setZero(rows.count(), 3);
@@ -71,7 +71,8 @@ void set_averages(const FlatPair& flat, const IndexedVector<int>& fields, const 
     sums.row(rows.jump() + fields[k]) = flat.area * flat.jump(values.col(k)).transpose();
 }
 
-/// Sets the sums of a flat pair by its moments; `loaded`: the pair with the functions psi_c that loads have.
+/// Sets the sums of a flat pair from its moments. `loaded`: the pair with the redistributed functions psi_c of the
+/// loads.
 void set_by_moments(const LoadedState& state, const FacetPair& pair, const FlatPair& loaded, OutputSums& sums) {
   const FacingPairs& facing = state.space.facing();
   const Facet& facet = facing.primary_facet(pair);
@@ -95,7 +96,7 @@ void set_by_moments(const LoadedState& state, const FacetPair& pair, const FlatP
   sums.force = loaded.weight().dot(Vector3d(nodal.traction)) * flat.area_vector;
 }
 
-/// Adds what is summed up for the nodes of a facet to the sums over all nodes.
+/// Adds the sums at the nodes of a facet to those at all nodes.
 void add_nodes(const Facet& facet, const MatrixXd& of_facet, MatrixXd& sums) {
   for (Index a = 0; a < of_facet.cols(); ++a) sums.col(facet.node(a)) += of_facet.col(a);
 }

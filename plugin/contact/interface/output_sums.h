@@ -1,12 +1,13 @@
-/// Sums over the points of a pass that balances and values at nodes are made of.
+/// Sums over the integration points of a pass, from which balances and nodal output are computed.
 #pragma once
 
 #include "interface/pass.h"
 
 namespace mixture_contact {
 
-/// Rows of matrices with the sums at nodes, one column for each: sums over points of their values, weighted
-/// with the node's share of their area [mm^2]. Values after turning() change their signs from one surface to the other.
+/// The rows of a matrix of nodal sums with one column per node. Each entry is the sum over points of a value times the
+/// part of the point's area that belongs to the node [mm^2]. Values from row turning() on have opposite signs on both
+/// surfaces.
 class OutputRows {
  public:
   explicit OutputRows(const Effects& effects)
@@ -15,18 +16,22 @@ class OutputRows {
   static constexpr Index area = 0;
   static constexpr Index gap = 1;
   static constexpr Index pressure = 2;
-  // Rows of friction: the bound T_max, the load that the fluid bears, and whether the surfaces slip, 1 or 0.
+  // Rows of friction: the bound T_max, the load that the fluid bears, and 1 for slip or 0 for stick.
   static constexpr Index bound = 3;
   static constexpr Index fluid = 4;
   static constexpr Index slips = 5;
 
+  /// First row of values with opposite signs on both surfaces.
   Index turning() const { return has_friction_ ? slips + 1 : pressure + 1; }
-  /// The row of the first field's flux; those of the other fields follow.
+  /// Row of the first field's flux; the other fields follow.
   Index flux() const { return turning(); }
+  /// Row of the first field's jump; the other fields follow.
   Index jump() const { return flux() + fields_; }
-  /// The first of three, as the next.
+  /// First of three rows of the friction traction.
   Index traction() const { return jump() + fields_; }
+  /// First of three rows of the slip.
   Index slip() const { return traction() + 3; }
+  /// Number of rows.
   Index count() const { return has_friction_ ? slip() + 3 : traction(); }
 
   Index fields() const { return fields_; }
@@ -37,25 +42,29 @@ class OutputRows {
   bool has_friction_;
 };
 
-/// The friction at a pass's nodes, for interpolation between them; empty without friction.
+/// Friction at the nodes of a pass, for interpolation between nodes; empty without friction.
 struct SlidingNodes {
-  Matrix3Xd slip;  ///< in the present tangent plane
+  Matrix3Xd slip;  ///< slip in the present tangent plane [mm]
+  /// Friction bound T_max [MPa].
   VectorXd bound;
+  /// The load that the fluid bears [MPa].
   VectorXd fluid;
-  VectorXd in_contact;  ///< 1 or 0
-  VectorXd slips;       ///< 1 or 0
+  VectorXd in_contact;  ///< 1 for a node in contact, 0 for any other
+  VectorXd slips;       ///< 1 for a node that slips, 0 for any other
+  /// Energy dissipated since the start of the step [mJ].
   double dissipation = 0;
 
   bool empty() const { return bound.size() == 0; }
 };
 
+/// Friction at the nodes for these loads.
 SlidingNodes sliding_nodes(const NodalLaws& laws, const NodalLoads& loads);
 
-/// Sums over points of a pair of facets, or of a whole pass.
+/// Sums over the points of a pair of facets or of a pass.
 struct OutputSums {
-  Vector3d force = Vector3d::Zero();  ///< of the normal traction, on the surface that is integrated over [N]
-  MatrixXd integrated;                ///< at that surface's nodes, OutputRows each
-  MatrixXd facing;                    ///< at those of the other
+  Vector3d force = Vector3d::Zero();  ///< force of the normal traction on the primary surface [N]
+  MatrixXd integrated;                ///< sums at the primary nodes, rows as OutputRows
+  MatrixXd facing;                    ///< sums at the secondary nodes, rows as OutputRows
 
   void set_zero(Index rows, Index integrated_nodes, Index facing_nodes) {
     force.setZero();
@@ -64,7 +73,7 @@ struct OutputSums {
   }
 };
 
-/// A state of a pass; refers to all of it.
+/// References to the data of a state of a pass.
 struct LoadedState {
   const MortarSpace& space;
   const NodalLoads& loads;
@@ -74,7 +83,7 @@ struct LoadedState {
   OutputRows rows() const { return OutputRows(space.effects()); }
 };
 
-/// Sums over all points of a pass that carry load.
+/// The sums over all points of a pass that carry load.
 OutputSums sums_of(const LoadedState& state);
 
 }  // namespace mixture_contact

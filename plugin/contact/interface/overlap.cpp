@@ -5,7 +5,7 @@
 namespace mixture_contact {
 namespace {
 
-/// The longest edge of the facets around each node; 0 where there are none.
+/// The longest edge of the facets around each node; 0 for nodes without facets.
 VectorXd longest_edges(const SurfaceMesh& mesh, const Matrix3Xd& position) {
   VectorXd longest = VectorXd::Zero(mesh.nodes);
   for (const Facet& facet : mesh.facets) {

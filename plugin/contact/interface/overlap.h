@@ -1,16 +1,17 @@
-/// How far the surfaces of a contact overlap under load.
+/// The overlap of the surfaces of a contact under load.
 #pragma once
 
 #include "interface/interface.h"
 
 namespace mixture_contact {
 
-/// The deepest overlap among the nodes in contact.
+/// The largest overlap of the nodes in contact.
 struct Overlap {
-  double depth = 0;  ///< of the averaged gap [mm]
-  double share = 0;  ///< over the longest edge of the facets around the node, the largest of all nodes [-]
+  double depth = 0;  ///< largest overlap by the average gaps [mm]
+  double share = 0;  ///< largest overlap, relative to the longest edge of the facets around its node [-]
 };
 
+/// The overlap at a state, for whose positions project() has been called.
 Overlap largest_overlap(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 }  // namespace mixture_contact

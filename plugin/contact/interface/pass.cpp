@@ -8,7 +8,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Those of some nodes at which the bodies are two.
+/// The given nodes without the joined nodes of a surface.
 NodeFlags apart(const SurfaceMesh& mesh, NodeFlags nodes) {
   for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] && !mesh.is_joined(node);
   return nodes;

@@ -7,102 +7,101 @@
 
 namespace mixture_contact {
 
-/// The integral over one surface: owner of its points, laws, active set, enforcement and geometry. Evaluations are
-/// const; projections replace the pairs of facets, begin_iteration() and its relatives the linearisation, and augment()
-/// the multipliers.
+/// The integral over one surface. It owns the integration points, laws, active set, enforcement method and geometry.
+/// Evaluations are const. Projections change the pairs of facets; begin_iteration() and similar functions change the
+/// linearisation; augment() changes the multipliers.
 class ContactPass {
  public:
-  /// Keeps references.
+  /// Keeps references to both meshes, the effects and the settings.
   ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  /// Projects every integration point onto the secondary surface: of the facets that face it within reach, the
-  /// nearest.
+  /// Projects each integration point onto the nearest facet of the secondary surface that faces it within reach.
   void project(const FacingPositions& x, const Reach& reach);
 
-  /// Projects points without a search: they keep to the facets that the last project() found for them.
+  /// Projects points without a search, onto the facets that the last project() found for them.
   void project_on_same_facets(const FacingPositions& x);
 
-  /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and holds that and the
-  /// linearisation of their gaps and jumps until the next call. Loads are then linear in the unknowns in the iteration
-  /// and its line search, and no status changes.
+  /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and linearises their
+  /// gaps and jumps. Both are kept until the next call: in the iteration and its line search, loads are linear in the
+  /// unknowns and no status changes.
   ///
-  /// Returns whether the loads at this state differ from those before the call.
+  /// Returns true if the loads at this state differ from those before the call.
   bool begin_iteration(const FacingFields& fields) { return geometry_->begin_iteration(fields); }
 
-  /// Begins at a state where no tangent follows, as in explicit dynamics: decides which nodes are in contact by the
-  /// true laws, and holds the loads of this state, without their linearisation, for residuals at it.
+  /// Begins at a state without a tangent, as in explicit dynamics: decides which nodes are in contact by the true laws,
+  /// and keeps the loads of this state for residuals.
   void hold_loads(const FacingFields& fields) { geometry_->hold_loads(fields); }
 
-  /// Restricts the active set to these nodes and all of their facets: no others may close. Takes effect with the next
-  /// project().
+  /// Restricts the active set to these nodes, and the pass to their facets: no other nodes may close. It takes effect
+  /// with the next project().
   void restrict_active_set(const NodeFlags& nodes);
 
-  /// The evaluation of the integral: for hosts that keep their matrix (corrections.h), and start_inactive(),
-  /// which begins an iteration with every node open, for a pass that joins others within a step.
+  /// The evaluation of the integral. It is used by hosts that keep their matrix (corrections.h), and for
+  /// start_inactive(), which begins an iteration with all nodes open when a second pass is added within a step.
   ContactGeometry& geometry() const { return *geometry_; }
 
-  /// Moves the linearisation point of an iteration to another state, at which project() has been called: gaps and jumps
-  /// are measured and linearised there, while status and predicted loads remain. Nodes that face nothing there open,
-  /// and those that overlap there close.
+  /// Moves the linearisation point of an iteration to another state, for which project() has been called. Gaps and
+  /// jumps are measured and linearised there; status and predicted loads stay the same. Nodes that face nothing in the
+  /// new state open, and nodes that overlap in it close.
   void linearise_at(const FacingFields& fields) { geometry_->relinearise(fields); }
 
-  /// Uzawa's update: the loads of an equilibrium become the multipliers, lambda <- t_n, w_n, j_n; nodes out of contact
-  /// get zero, and multipliers of tractions that are not exchanged stay. The next begin_iteration() takes them for the
-  /// geometric part of the tangent, because the load by the laws, lambda + eps g, is up to twice that in equilibrium
-  /// until the gaps close.
+  /// Uzawa's update: the loads of an equilibrium become the multipliers, lambda <- t_n, w_n, j_n. Multipliers of nodes
+  /// out of contact become zero; multipliers of tractions that are not exchanged stay the same. The next
+  /// begin_iteration() uses the multipliers for the geometric part of the tangent, because lambda + eps g is up to
+  /// twice the load in equilibrium until the gaps close.
   void augment(const FacingFields& fields);
 
-  /// Sets the distance of the surfaces from which gaps are measured [mm].
+  /// Sets the gap at which the surfaces touch [mm], from which gaps are measured.
   void measure_gaps_from(double offset) { space_.measure_gaps_from(offset); }
 
-  /// Sets the reference positions of slips.
+  /// Sets the positions from which slips are measured.
   void measure_slips_from(const FacingPositions& past) { space_.measure_slips_from(past); }
 
   /// Accepts a state as the start of the next step: its loads, flux-coupled nodes, and positions as the reference of
   /// slips.
   void accept_step(const FacingFields& fields);
 
-  /// Drops the linearisation of begin_iteration(): the laws act on the true gaps and jumps again.
+  /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
   void end_iterations() { geometry_->end_iterations(); }
 
-  /// Continues from earlier decisions on the nodes that bear load (see BoundaryWeights).
+  /// Sets earlier decisions on the nodes that bear load (see BoundaryWeights), for a restart.
   void restore_carriers(LoadCarriers decisions) { space_.boundary_weights().restore(std::move(decisions)); }
 
-  /// Drops the configuration. Call this after a change of the effects, before the next project().
+  /// Discards the configuration. To be called after a change of the effects, before the next project().
   void forget();
 
-  /// Whether a state is a solution of the true laws to a fraction of the loads: a state found with held status and gaps
-  /// counts only then.
+  /// True if the linearised loads of a state agree with those of the true laws within a fraction. A state found with
+  /// constant status and linearised gaps is a solution only then.
   bool is_solution(const FacingFields& fields) const { return geometry_->is_solution(fields); }
 
-  /// The loads by the laws at the nodes.
+  /// The loads of the laws at the nodes.
   NodalLoads nodal_loads(const FacingFields& fields) const { return geometry_->loads(fields); }
 
-  /// Residual of (2.5), in one part per pair of facets that carries load.
+  /// Calls `add` with the residual of (2.5), one part per pair of facets that carries load.
   void residual(const FacingFields& fields, double dt, const AddVector& add) const;
 
-  /// Tangent (2.6), effect by effect: the geometric part per pair of facets that carries load, or summed at nodes, and
-  /// per node in contact the part of its laws, which couples all nodes that its averages are taken over.
+  /// Calls `add` with the tangent (2.6), effect by effect. The geometric part comes per pair of facets that carries
+  /// load, or summed at nodes. The part of the laws comes per node in contact, and couples all nodes of its averages.
   void tangent(const FacingFields& fields, double dt, const TangentParts& add) const;
 
-  /// The patches that tangent() would fill, for a matrix profile.
+  /// Calls `use` with the patches of tangent(), for a matrix profile.
   void for_each_coupling(const Couplings& use) const { geometry_->for_each_coupling(use); }
 
-  /// Whether the tangents of nodes come as load blocks to those who take them.
+  /// True if the tangents of nodes can be passed on as load blocks.
   bool has_load_blocks() const { return method_->has_load_blocks(); }
 
-  /// Primary nodes that are in contact and flux-coupled by it.
+  /// Primary nodes that are in contact and flux-coupled.
   NodeFlags flux_coupled() const { return geometry_->flux_coupled(); }
 
   const MortarSpace& space() const { return space_; }
-  /// The pairs of facets that face each other, with their integration points.
+  /// The pairs of facets that face each other.
   const IndexedVector<FacetPair>& pairs() const { return space_.facing().pairs(); }
   const ActiveSet& active_set() const { return active_set_; }
   NodalLaws& laws() { return laws_; }
   const NodalLaws& laws() const { return laws_; }
   const Penalties& penalty() const { return laws_.penalties(); }
-  /// Bytes that are kept between calls: pairs with their points, multipliers, penalties, and the data of iterations.
+  /// Memory kept between calls [bytes]: pairs with their points, multipliers, penalties, and data of iterations.
   std::size_t memory() const;
 
  private:

@@ -1,11 +1,12 @@
-/// The data that iterations and steps leave for later ones.
+/// Data of past iterations and steps.
 #pragma once
 
 #include "interface/interface.h"
 
 namespace mixture_contact {
 
-/// Drops this data, so that later iterations depend on the state alone, for continued runs.
+/// Discards the data of past iterations and steps, such that later iterations depend on the state only. A continued run
+/// then gives the same results.
 void forget_past(ContactInterface& contact);
 
 }  // namespace mixture_contact

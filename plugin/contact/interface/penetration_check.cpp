@@ -5,7 +5,7 @@
 namespace mixture_contact {
 namespace {
 
-/// All nodes of facets some of whose nodes are among the given ones.
+/// All nodes of facets that have at least one of the given nodes.
 NodeFlags nodes_of_facets_with(const NodeFlags& given, const IndexedVector<Facet>& facets) {
   NodeFlags found(given.count(), false);
   for (const Facet& facet : facets) {
@@ -55,7 +55,7 @@ NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& n
 }
 
 Settings settings_of_check(Settings settings) {
-  settings.gap.tension = false;  // these nodes are to be kept out of the other body, not to be held to it
+  settings.gap.tension = false;  // these nodes must not penetrate the other body, but may leave it
   if (settings.enforcement != Enforcement::lagrange_multipliers) return settings;
   settings.enforcement = Enforcement::penalty;
   settings.traction = {true, default_traction_factor};

@@ -5,42 +5,46 @@
 
 namespace mixture_contact {
 
-/// Secondary nodes inside the primary body at facets away from contact, which share no node with one that has a node in
-/// contact. The laws hold for averages around primary nodes: a feature smaller than a primary facet may overlap it
-/// without any load, unless a second pass resolves it. The averages cover facets next to contact: an overlap there is
-/// the error of the edge of contact, which no second pass reduces.
+/// Secondary nodes inside the primary body at facets away from contact, which share no node with a facet that has a
+/// node in contact.
+///
+/// The laws apply to averages around primary nodes. A feature smaller than a primary facet may therefore overlap with
+/// it without load, unless a second pass resolves it. At facets next to contact, an overlap is the error of the edge of
+/// contact, which no second pass reduces.
 struct UndetectedPenetration {
   int nodes = 0;     ///< number of nodes deeper than penetration_tolerance
-  double depth = 0;  ///< of the deepest [mm]
-  double share = 0;  ///< largest depth over the longest edge of the facet that the node faces [-]
+  double depth = 0;  ///< largest depth [mm]
+  double share = 0;  ///< largest depth relative to the longest edge of the facet that the node faces [-]
 };
 
-/// The overlap of sound meshes, relative to the longest edge of a facet: facets bulge out of the arc between their
-/// ends, or stay behind it, by 1/8 of the angle of that arc, here 0.4 (16 facets around a circle).
+/// Largest overlap of sound meshes, relative to the longest edge of a facet. A facet deviates from an arc between its
+/// ends by 1/8 of the angle of the arc, here 0.4 (16 facets around a circle).
 inline constexpr double penetration_tolerance = 0.05;
 
-/// For each secondary node, its overlap with a primary facet away from contact, over the facet's longest edge; else 0.
+/// Per secondary node, its overlap with a primary facet away from contact, relative to the facet's longest edge; 0 at
+/// all other nodes.
 VectorXd overlap_shares(const IndexedVector<FacingNode>& nodes, const NodeFlags& primary_in_contact,
                         const IndexedVector<Facet>& primary, const Matrix3Xd& x1);
 
-/// The penetration of all nodes that lie deeper than the tolerance, except those in `but`. `shares`: as
+/// The penetration of all nodes deeper than the tolerance, except the nodes in `but`. `shares`: result of
 /// overlap_shares().
 UndetectedPenetration overlap_among(const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
                                     const NodeFlags& but);
 
-/// The penetration-check nodes with those added that face the same primary facets as a node deeper than the tolerance.
+/// The penetration-check nodes together with all nodes that face the same primary facets as a node deeper than the
+/// tolerance.
 NodeFlags with_entered(NodeFlags check_nodes, const IndexedVector<FacingNode>& nodes, const VectorXd& shares,
                        Index primary_facets);
 
-/// The pass that is restricted to penetration-check nodes, and the remaining overlap.
+/// The data of the penetration check: the restricted second pass, and the remaining overlap.
 struct PenetrationCheck {
-  Settings settings;                 ///< of the pass
-  NodeFlags nodes;                   ///< secondary nodes that it is restricted to
+  Settings settings;                 ///< settings of the second pass
+  NodeFlags nodes;                   ///< secondary nodes to which the second pass is restricted
   UndetectedPenetration undetected;  ///< overlap without load after the last check
 };
 
-/// Settings of the pass that is restricted to penetration-check nodes: those of the first one, without unknown
-/// multipliers, for which there is no room on both surfaces.
+/// Settings of the second pass that is restricted to penetration-check nodes: those of the first pass, but without
+/// unknown multipliers, which are not possible on both surfaces.
 Settings settings_of_check(Settings settings);
 
 }  // namespace mixture_contact

@@ -6,15 +6,16 @@
 namespace mixture_contact {
 namespace {
 
-/// A node carries no load of a facet where the covered part of its share of the facet is less than this part of the
-/// best covered node's. Where the other surface ends across a facet and covers s of it, far nodes have s^2 and near
-/// ones 2s - s^2 of theirs: they carry load from s = 0.82 on.
+/// A node carries no load of a facet if the covered fraction of its area on the facet is less than this fraction of
+/// that of the best covered node. If the other surface ends across a facet and covers a fraction s of it, far nodes are
+/// covered to s^2 and near nodes to 2s - s^2: far nodes carry load from s = 0.82 on.
 constexpr double least_covered = 0.7;
-/// One that carried load keeps it down to s = 0.5 and one that did not takes it up from s = 0.97 on: a facet's size of
-/// sliding changes a decision once, and what comes and goes with a tenth of it does not.
+/// Thresholds with hysteresis: a node that carried load keeps it down to s = 0.5, and a node that did not takes it up
+/// from s = 0.97 on. Sliding by the size of a facet changes a decision once, and oscillation by a tenth of it does not.
 constexpr double least_covered_of_carrier = 1.0 / 3;
 constexpr double least_covered_of_other = 0.95;
-/// But nodes this far away, as a part of the facet's size, have no load that others could carry.
+/// Nodes whose average gap is larger than this fraction of the facet's size have no load that would have to be carried
+/// by others, and keep their functions.
 constexpr double far_away = 0.01;
 
 double least_covered_part(bool is_decided, bool carries) {

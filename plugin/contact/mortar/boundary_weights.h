@@ -1,4 +1,5 @@
-/// Weights psi_a where the other surface ends across a facet: nodes that are covered least carry no load of it.
+/// Weights psi_a on facets that the other surface covers only in part. The nodes that are covered least carry no load
+/// of such a facet.
 #pragma once
 
 #include "geometry/surface.h"
@@ -7,56 +8,63 @@
 
 namespace mixture_contact {
 
-/// Sums over the part of a facet that faces the other surface, per node: INT psi_a da [mm^2] and INT psi_a g da [mm^3],
-/// shape (2, n).
+/// Integrals over the part of a facet that faces the other surface, for each of its nodes: INT psi_a da [mm^2] and INT
+/// psi_a g da [mm^3], shape (2, n).
 using FacetGapSums = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;
 
-/// Per facet which of its nodes carry load, 1 or 0; empty: not decided.
+/// Per facet, 1 for each of its nodes that carries load of the facet and 0 for the others. A facet without a decision
+/// has no entries.
 using LoadCarriers = IndexedVector<FacetVector>;
 
-/// A decision holds during iterations. The one after it, at the start of the next step, changes it only where it is
-/// clearly wrong by then: averages over other weights are others, so that the state in equilibrium, of which the step
-/// starts, would not be one any more.
+/// Decides which nodes carry the load of partly covered facets.
+///
+/// A decision is constant during the iterations of a step. It changes at the start of the next step only if the
+/// coverage has changed clearly: with other weights the averages would be different, and the state from which the step
+/// starts would not be in equilibrium.
 class BoundaryWeights {
  public:
   /// Keeps a reference to the facets.
   explicit BoundaryWeights(const IndexedVector<Facet>& facets) : facets_(facets) {}
 
-  /// Has all decisions made again, from the last ones that counted.
+  /// Discards the present decisions such that they are made again from the last accepted ones.
   void reconsider() { carriers_.clear(); }
-  /// The present decisions count as the last ones from now on, and all are made again.
+  /// Accepts the present decisions at the end of a step. Later decisions start from the accepted ones.
   void settle();
-  /// Whether it has been decided for a facet.
+  /// True if it has been decided which nodes of a facet carry load.
   bool knows(int facet) const { return is_known(carriers_, facet); }
-  /// Decides it for a facet: `covered` are its sums over the part that faces the other surface, `all` is INT psi_a da
-  /// over all of it.
+  /// Decides which nodes of a facet carry load. `covered`: integrals over the part of the facet that faces the other
+  /// surface. `all`: INT psi_a da over the whole facet.
   void decide(int facet, const FacetGapSums& covered, const FacetVector& all);
 
-  /// The last decisions, which those to come depend on; empty if there are none.
+  /// The present decisions; if there are none, the last accepted ones, which may be empty.
   const LoadCarriers& last_decisions() const { return carriers_.empty() ? settled_ : carriers_; }
-  /// Continues from those.
+  /// Sets the last accepted decisions, for example those of a restarted run.
   void restore(LoadCarriers decisions);
 
-  /// Functions psi_a of a facet at a place on it, which weight averages and interpolate loads: those of
-  /// multiplier_functions(), except that nodes covered least have theirs redistributed within the facet. Far
-  /// from its node a psi_a says next to nothing, and conditions on such averages contradict those of the nodes that
-  /// carry the load.
+  /// The functions psi_a of a facet at the point xi, which weight averages and interpolate loads. They are those of
+  /// multiplier_functions(), but the functions of nodes that carry no load are redistributed within the facet.
+  ///
+  /// Far from its node a psi_a is almost zero: an average with it would hardly depend on the node, and a condition on
+  /// it would contradict the conditions of the nodes that carry the load.
   ShapeFunctions shape(int facet, int sub_facet, const Vector2d& xi) const;
-  /// The parts in which the nodes of a linear facet take the shape function of each, one column for each of them; empty
-  /// where each takes its own.
+  /// The redistribution weights of a facet's nodes (heirs_of()), one column per node; empty if no function of the facet
+  /// is redistributed.
   std::optional<MatrixXd> heirs(int facet) const;
 
+  /// Memory of the decisions [bytes].
   std::size_t memory() const { return (carriers_.capacity() + settled_.capacity()) * sizeof(FacetVector); }
 
  private:
+  /// True if a node of the facet carries no load.
   bool redistributes(int facet) const { return knows(facet) && carriers_[facet].minCoeff() == 0; }
   static bool is_known(const LoadCarriers& carriers, int facet) {
     return !carriers.empty() && carriers[facet].size() > 0;
   }
 
   const IndexedVector<Facet>& facets_;
+  /// The present decisions; empty if none has been made.
   LoadCarriers carriers_;
-  LoadCarriers settled_;  ///< the last decisions
+  LoadCarriers settled_;  ///< the last accepted decisions; empty if there are none
 };
 
 }  // namespace mixture_contact

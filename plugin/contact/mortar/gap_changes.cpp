@@ -5,7 +5,7 @@
 namespace mixture_contact {
 namespace {
 
-/// INT psi_a dg da of a pair.
+/// INT psi_a dg da over a pair, for each node of its primary facet.
 FacetVector changes_of_pair(const MortarSpace& space, const FacetPair& pair, const FacingPositions& displacements) {
   const FacingPairs& facing = space.facing();
   const FacetCoordinates first = facet_coordinates(facing.primary_facet(pair), displacements.primary);

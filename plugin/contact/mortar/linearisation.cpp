@@ -11,7 +11,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Where the nodes of a pair of facets stand in a larger patch.
+/// The positions of a pair's nodes in a larger patch.
 using PairPlaces = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
 template <class Nodes>
 PairPlaces dof_map(const Nodes& primary, const Nodes& secondary, const Patch& patch) {
@@ -22,43 +22,45 @@ PairPlaces dof_map(const Nodes& primary, const Nodes& secondary, const Patch& pa
   return map;
 }
 
-/// Adds what a pair has of a variation, its nodes in their order.
+/// Adds the variation of a pair, in the order of its nodes, to that of a patch.
 template <class Part>
 void add_variation(VectorXd& sum, const Eigen::MatrixBase<Part>& part, const PairPlaces& place) {
   for (Index n = 0; n < place.size(); ++n) sum.segment<3>(3 * place[n]) += part.template segment<3>(3 * n);
 }
 
-/// What friction has of a pair around one node of its primary facet, as NodeLinearisation::Friction has it.
+/// The part of a pair in NodeLinearisation::Friction of one node of its primary facet.
 struct PairFriction {
   PairVariation<6> average_variation;
-  PairVariation<1> area_variation;  ///< of the node's area
+  PairVariation<1> area_variation;  ///< variation of the node's area
   PairVector work;
-  PairVariation<1> pressure_variation;  ///< empty without fluid, as the next
+  /// Variation of the pressure, as NodeLinearisation::Friction::pressure_variation; empty without fluid.
+  PairVariation<1> pressure_variation;
+  // Empty without fluid.
   PairVector pressure_weights;
 };
 
-/// What a pair of facets has around the nodes of its primary facet, one column for each of them; rows are those of a
-/// NodeLinearisation of the pair's patch.
+/// The parts of a pair in the linearisations of the nodes of its primary facet, one column per node. Rows have the
+/// order of a NodeLinearisation of the pair's patch.
 struct PairLinearisation {
   struct Jump {
     MatrixXd projection_variation;
     MatrixXd weights;
   };
   Patch patch;
-  IndexedVector<bool> is_averaged;  ///< per node: whether its averages are taken over points of the pair
+  IndexedVector<bool> is_averaged;  ///< per node: true if its averages include points of the pair
   MatrixXd gap_variation;
   MatrixXd traction_work;
   IndexedVector<Jump> jumps;
-  IndexedVector<PairFriction> friction;  ///< per node; empty without friction
+  IndexedVector<PairFriction> friction;  ///< quantities of friction, per node; empty without friction
 };
 
-/// How many nodes of a patch, from its first, turn the mean normal or change the area: all where points move over their
-/// facets, else the primary ones.
+/// The number of nodes, from the first of a patch, on which the mean normal or the area depends: all nodes if points
+/// move on their facets, else the primary ones.
 Index turning_nodes(const FacingPairs& facing, Index nodes, Index primary_nodes) {
   return facing.moves_points() ? nodes : primary_nodes;
 }
 
-/// Of a node or of a pair; all but the average_variation.
+/// Sets the variations of friction of a node or of a pair to zero, except the average_variation.
 template <class Friction>
 void set_rest_zero(Friction& friction, const LocalLayout& displacements, const Effects& effects) {
   friction.area_variation.setZero(displacements.size());
@@ -95,7 +97,7 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, const Patch& patc
   return linear;
 }
 
-/// In the memory of another pair's.
+/// Sets the linearisation of a pair to zero. It reuses the memory of another pair's.
 void set_zero(PairLinearisation& linear, const MortarSpace& space, const FacetPair& pair) {
   space.facing().set_patch(pair, linear.patch);
   const LocalLayout layout = linear.patch.displacement_layout();
@@ -131,7 +133,8 @@ void scatter(const PairFriction& pair, const PairPlaces& place, NodeLinearisatio
   }
 }
 
-/// Adds what a pair of facets has around a node of its primary facet to the node's own.
+/// Adds the part of a pair to the linearisation of a node of its primary facet. `corner`: number of the node in the
+/// facet.
 void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum) {
   const PairPlaces place = dof_map(pair.patch.primary, pair.patch.secondary, sum.patch);
   const auto add = [&](VectorXd& variation, const MatrixXd& part) {
@@ -147,18 +150,18 @@ void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum
   }
 }
 
-/// A point as it counts for a node of its primary facet.
+/// An integration point in the averages of one node of its primary facet.
 struct CornerPoint {
   const VaryingPoint& point;
-  Index number;  ///< of the point
+  Index number;  ///< number of the point in its pair
   Index corner;
   int node;
-  double share;              ///< w psi_a
-  Eigen::RowVector2d slope;  ///< w psi_a,alpha
+  double share;              ///< weight w psi_a
+  Eigen::RowVector2d slope;  ///< gradient w psi_a,alpha of the weight
 
-  /// w psi_a,alpha dxi_alpha, of a point that wanders
+  /// Variation w psi_a,alpha dxi_alpha, for a point that moves on its facet.
   auto wandering() const { return slope.lazyProduct(point.vary.xi); }
-  /// d(w psi_a |a|)
+  /// Variation d(w psi_a |a|).
   PairVariation<1> area_variation() const {
     PairVariation<1> variation = share * point.weighted_area_variation();
     if (point.vary.wanders()) variation += point.contact.kinematics.area * wandering();
@@ -166,10 +169,10 @@ struct CornerPoint {
   }
 };
 
-/// What a thread remembers of a pair, whose memory serves the next one.
+/// Working memory of a thread for one pair; it is reused for the next pair.
 struct PairMemory {
   VaryingPair varying;
-  std::vector<CornerPoint> corners;  ///< for all nodes in contact whose averages are taken over the points
+  std::vector<CornerPoint> corners;  ///< for each node in contact, the points of its averages
 };
 
 void set_corner_points(PairMemory& pair, const Facet& facet, const NodeFlags& in_contact) {
@@ -186,8 +189,8 @@ void set_corner_points(PairMemory& pair, const Facet& facet, const NodeFlags& in
   }
 }
 
-/// Adds a point's part in the first variation of an average over a node, g_a = INT psi_a g da / A_a:
-/// dg_a = sum_q [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
+/// Adds the part of a point to the first variation of an average over a node, g_a = INT psi_a g da / A_a: dg_a = sum_q
+/// [w psi_a |a| dg + (g - g_a) d(w psi_a |a|)]/A_a.
 void add_mean_variation(Eigen::Ref<VectorXd> sum, const CornerPoint& at, const PairVariation<1>& variation,
                         double excess, double area) {
   const double size = at.point.contact.kinematics.area;
@@ -222,16 +225,16 @@ void add_jump(PairLinearisation& linear, Index k, const NodalLoads& loads, const
                      area);
 }
 
-/// What friction needs of a point, whichever of its nodes is looked at. The averages around node a are sums of
-/// w psi_a y over the points, y = (|a| r, a), divided by its area A_a.
+/// The quantities of a point on which friction depends, the same for all nodes of its facet. The averages around node a
+/// are sums of w psi_a y over the points, y = (|a| r, a), divided by the area A_a.
 struct SlidingPoint {
-  Eigen::Matrix<double, 6, 1> value;    ///< y
-  PairVariation<6> variation;           ///< dy + y dw/w
-  PairVector work;                      ///< |a| h
-  Index turning = 0;                    ///< as NodeLinearisation::Friction has it, of the pair
-  double pressure = 0;                  ///< |a| (p~ - p*); without fluid the next two are empty
-  PairVariation<1> pressure_variation;  ///< of |a| (p~ - p*) at fixed nodal values, plus it times dw/w
-  PairVector pressure_weights;          ///< |a| (p~ - p*) with the values of p~
+  Eigen::Matrix<double, 6, 1> value;    ///< value of y
+  PairVariation<6> variation;           ///< variation dy + y dw/w
+  PairVector work;                      ///< work |a| h of the nodes
+  Index turning = 0;                    ///< as NodeLinearisation::Friction::turning, for the nodes of the pair
+  double pressure = 0;                  ///< pressure |a| (p~ - p*); without fluid, the next two members are empty
+  PairVariation<1> pressure_variation;  ///< variation of |a| (p~ - p*) at fixed nodal values, plus |a| (p~ - p*) dw/w
+  PairVector pressure_weights;          ///< derivatives of |a| (p~ - p*) with the nodal values of p~
 };
 
 void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const VaryingPoint& point) {
@@ -243,7 +246,7 @@ void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const 
   sliding.pressure_weights = kinematics.area * pressure_weights(pressure, kinematics);
 }
 
-/// r,xi at a place of the primary facet.
+/// Slope r,xi of the slip at a point of the primary facet.
 Eigen::Matrix<double, 3, 2> slope_over_primary(const PastFacets& facets, const PastPoint& past, FacetType type,
                                                const Vector2d& xi) {
   return slip_slope_with_xi(past, normal_slope(past, facets.primary * shape_hessian(type, xi)));
@@ -280,7 +283,8 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   return sliding;
 }
 
-/// Adds a point's part of the sums around a node: d(w psi_a y) = w psi_a (dy + y dw/w) + y w psi_a,alpha dxi_alpha.
+/// Adds the part of a point to the sums around a node: d(w psi_a y) = w psi_a (dy + y dw/w) + y w psi_a,alpha
+/// dxi_alpha.
 void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& sliding) {
   const double share = at.share;
   const bool wanders = at.point.vary.wanders();
@@ -303,7 +307,7 @@ void add_sliding(PairFriction& sum, const CornerPoint& at, const SlidingPoint& s
   if (has_fluid && wanders) sum.pressure_variation += sliding.pressure * wandering;
 }
 
-/// Makes averages of the sums around a node: d(Y/A) = (dY - Y/A dA)/A.
+/// Divides the sums around a node by its area: d(Y/A) = (dY - Y/A dA)/A.
 void divide_by_area(NodeLinearisation::Friction& sum, const NodalLoads& loads, Index node) {
   const double per_area = 1 / loads.area[node];
   const NodalFriction& friction = loads.friction;
@@ -354,7 +358,7 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
   }
 }
 
-/// Adds what a flat pair has around a node, the c-th of its primary facet.
+/// Adds the part of a flat pair to the linearisation of the c-th node of its primary facet.
 void add_flat(NodeLinearisation& sum, const MortarSpace& space, const FacetPair& pair, const FlatPair& flat, Index c,
               const NodalLoads& loads, const FacingFields& fields) {
   const FacingPairs& facing = space.facing();
@@ -381,7 +385,7 @@ void add_flat(NodeLinearisation& sum, const MortarSpace& space, const FacetPair&
   }
 }
 
-/// Those of all flat pairs around a node in contact.
+/// Adds the parts of all flat pairs around a node in contact to its linearisation.
 void add_flat_pairs(NodeLinearisation& sum, const MortarSpace& space, const PairsAround& pairs, int node,
                     const NodalLoads& loads, const FacingFields& fields) {
   for (const FacetPair* pair : pairs) {
@@ -392,7 +396,8 @@ void add_flat_pairs(NodeLinearisation& sum, const MortarSpace& space, const Pair
   }
 }
 
-/// Displacements of a patch's nodes in the order of patch.of_displacements(), given those of both surfaces.
+/// The displacements of a patch's nodes in the order of patch.of_displacements(). `change`: displacements of both
+/// surfaces.
 VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
   const LocalLayout layout = patch.displacement_layout();
   VectorXd values(layout.size());
@@ -403,7 +408,8 @@ VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
   return values;
 }
 
-/// Adds the changes of a node's averages.
+/// Adds the changes of a node's averages to `friction`. `moved`: displacements of the patch; `change`: changes of
+/// positions and fields.
 void predict(NodalFriction& friction, Index node, const NodeLinearisation& linear, const VectorXd& moved,
              const FacingFields& change) {
   Eigen::Matrix<double, 6, 1> averages = Eigen::Matrix<double, 6, 1>::Zero();

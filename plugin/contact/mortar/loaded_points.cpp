@@ -3,10 +3,10 @@
 namespace mixture_contact {
 namespace {
 
-/// What the points of a pair have in common.
+/// A pair with the loads of its nodes, from which the loads of its points are interpolated.
 class LoadedPair {
  public:
-  /// Keeps references.
+  /// Keeps references to `space` and `pair`.
   LoadedPair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads, const FacingFields& fields,
              double dt)
       : space_(space), pair_(pair), fields_(space.facing().exchanged_fields(pair)), dt_(dt) {
@@ -15,7 +15,7 @@ class LoadedPair {
     for (Index k = 0; k < fields_.count(); ++k) values_.col(k) = space.facing().values(pair, fields_[k], fields);
   }
 
-  /// That with this number.
+  /// The point with this number, and its loads.
   PointContact point(Index number) const {
     const IntegrationPoint& place = space_.facing().points(pair_)[number];
     PointContact contact(pair_, space_.facing().kinematics(pair_, number));

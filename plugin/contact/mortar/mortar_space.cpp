@@ -12,14 +12,15 @@
 namespace mixture_contact {
 namespace {
 
-/// As FacetGapSums for the jumps of the fields that a pair exchanges; no fields where it carries no load.
+/// The integrals over a pair for the average jumps of its exchanged fields. `fields` is empty if no node of the pair is
+/// in contact.
 struct JumpSums {
   IndexedVector<int> fields;
-  FacetVector area;  ///< INT psi_a da
-  MatrixXd jump;     ///< (fields, nodes): INT psi_a jump da
+  FacetVector area;  ///< integrals INT psi_a da
+  MatrixXd jump;     ///< integrals INT psi_a jump da, shape (fields, nodes)
 };
 
-/// Adds the entries of `more` that `list` does not have yet.
+/// Adds to `list` the entries of `more` that it does not contain.
 template <class Entries>
 void merge_unique(IndexedVector<int>& list, const Entries& more) {
   for (const int entry : more) {
@@ -55,14 +56,15 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   return sums;
 }
 
-/// A node at an edge bears no load of a facet that the other surface opposes less than this part of how much it opposes
-/// the best facet around the node: on a plane a block's lower nodes bear none of its sides, while those of an octagon
-/// bear that of the next side, too, which is turned by 45 degrees.
+/// A node at an edge bears no load of a facet whose opposition -n1.n2 to the other surface is less than this fraction
+/// of that of the best opposed facet around the node. The lower nodes of a block on a plane bear no load of the block's
+/// sides. Those of an octagon also bear load of the next side, which is inclined by 45 degrees.
 constexpr double least_part_of_best = 0.6;
-/// A node that bore none takes it up from here on, so that a decision does not come and go with the steps.
+/// The fraction from which a node that bore no load of a facet bears it. The hysteresis keeps decisions from
+/// alternating with the steps.
 constexpr double least_part_of_other = 0.75;
 
-/// How much the secondary surface opposes each primary facet, -n1.n2 at most, and the best facet around each node.
+/// The largest -n1.n2 of each primary facet with its secondary facets, and that of the best facet around each node.
 struct Oppositions {
   VectorXd facets;
   VectorXd nodes;
@@ -81,7 +83,8 @@ Oppositions oppositions(const FacingPairs& facing, const FacingPositions& x) {
   return found;
 }
 
-/// Whether a node bears load of a facet, by how much these are opposed and whether it did in the step before.
+/// True if a node bears load of a facet. `of_facet`, `best`: oppositions of the facet and of the best facet around the
+/// node. `bore`: whether the node bore load of the facet in the step before.
 bool is_faced_enough(double of_facet, double best, bool bore) {
   return of_facet >= (bore ? least_part_of_best : least_part_of_other) * best;
 }
@@ -152,7 +155,7 @@ FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
 }
 
 void MortarSpace::update_boundary_weights(const FacingPositions& x) {
-  // Nodes that a restricted pass is for keep their conditions: there are no others to carry their load.
+  // The nodes of a restricted pass keep their own functions: there are no other nodes to carry their load.
   if (facing_.is_restricted()) return;
   IndexedVector<const FacetPair*> unknown;
   for (const FacetPair& pair : facing_.pairs()) {
@@ -168,7 +171,7 @@ void MortarSpace::update_boundary_weights(const FacingPositions& x) {
         if (!first) place->second += sums;
       });
   const Oppositions opposed = oppositions(facing_, x);
-  const LoadCarriers last = weights_.last_decisions();  // decisions replace them
+  const LoadCarriers last = weights_.last_decisions();  // copied, because decide() replaces them
   for (auto& [facet, sums] : covered) {
     const Facet& of = facing_.primary().facets[facet];
     const FacetVector all = areas_of_nodes(of, x.primary);

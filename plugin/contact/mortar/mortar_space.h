@@ -1,4 +1,4 @@
-/// Nodal averages over the integration points around each node of the surface that a pass integrates over.
+/// Nodal averages over the integration points around each node of the primary surface of a pass.
 #pragma once
 
 #include "base/timings.h"
@@ -11,90 +11,99 @@
 
 namespace mixture_contact {
 
+/// The pairs of a pass with the weights of its nodal averages. It computes gaps, jumps and slips at nodes.
 class MortarSpace {
  public:
-  /// Keeps references to the surfaces and their effects.
+  /// Keeps references to the meshes and to the effects.
   MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
               const Settings& settings);
 
-  /// The pairs, for changes: all dependent quantities are computed again.
+  /// The pairs for modification. It discards the nodal gaps, which are then computed again.
   FacingPairs& change_facing() {
     gaps_.reset();
     return facing_;
   }
   const FacingPairs& facing() const { return facing_; }
-  /// Begins an iteration of the pairs. Returns whether their number has grown.
+  /// Begins an iteration of the pairs. Returns true if other pairs were found.
   bool begin_iteration(const FacingPositions& x);
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 
-  /// Decides which nodes bear load, for new facets that face the other surface.
+  /// Decides which nodes bear load, for facets that newly face the other surface.
   void update_boundary_weights(const FacingPositions& x);
+  /// The boundary weights for modification. It discards the nodal gaps, which are then computed again.
   BoundaryWeights& boundary_weights() {
     gaps_.reset();
     return weights_;
   }
   const BoundaryWeights& boundary_weights() const { return weights_; }
-  /// Functions psi_a (see BoundaryWeights::shape).
+  /// The functions psi_a at a point of a primary facet (see BoundaryWeights::shape).
   ShapeFunctions shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
     return weights_.shape(primary_facet, sub_facet, xi);
   }
 
-  /// A flat pair with these functions; empty of any other (see FacingPairs::flat).
+  /// The moments of a flat pair with the redistributed functions psi_a; empty if the pair has no moments (see
+  /// FacingPairs::flat).
   std::optional<FlatPair> flat(const FacetPair& pair) const;
 
-  /// Sets the reference positions of slips, those of an accepted state.
+  /// Sets the positions relative to which slips are measured, those of the last accepted state.
   void measure_slips_from(const FacingPositions& past);
+  /// Positions of both surfaces at the start of the step.
   FacingPositions past() const { return seen_from(Side::primary, past_); }
-  /// Convections of the nodes of a primary facet, from the positions at the start of the step.
+  /// Convections of the nodes of a primary facet, relative to the positions at the start of the step.
   const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
+  /// Ambient pressure p* in the friction law [MPa].
   double ambient_pressure() const { return friction_.ambient_pressure; }
 
-  /// The gaps at which the pairs were found.
+  /// The average gaps at the positions of the last search or projection.
   const NodalGaps& gaps() const;
-  /// The gaps of a state, and the jumps of nodes of a status there; without loads.
+  /// The averages of a state: the given gaps, and the jumps and slips of nodes with the given contact status. Loads are
+  /// not set.
   NodalLoads averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const;
 
-  /// Whether multipliers are unknowns, so that every node has equations of its own.
+  /// True if multipliers are unknowns of the equation system; every node then has equations of its own.
   bool has_unknown_multipliers() const { return unknown_multipliers_; }
-  /// Whether the averages of a node of a pair's primary facet, or of any that is among those given, are taken over
-  /// points of the pair: the psi_a of a quadratic facet's node is zero on the sub-facets that do not have the node.
+  /// True if a node's averages include points of a pair, whose primary facet contains the node. The psi_a of a
+  /// quadratic facet's node is zero on the linear pieces that do not contain the node.
   bool is_averaged_over(const FacetPair& pair, Index node) const;
+  /// True if the averages of any of the given nodes include points of a pair.
   bool is_averaged_over(const FacetPair& pair, const NodeFlags& nodes) const;
-  /// The nodes and fields that the averages of a node are taken over, given the pairs around it; with friction also the
-  /// nodes of all facets around it, which it convects with.
+  /// The nodes and fields on which a node's averages depend. `pairs`: the pairs around the node. With friction, the
+  /// patch also contains the nodes of all primary facets around the node, on which its convection depends.
   Patch node_patch(Index node, const PairsAround& pairs) const;
-  /// The unknowns that the rows of one field of a patch depend on.
+  /// The unknowns on which the rows of one field of a patch depend.
   Patch columns_of(const Patch& patch, int field) const;
-  /// Whether the settings require the symmetric part of the tangent.
+  /// True if the tangent is symmetrised.
   bool symmetric() const { return symmetric_; }
-  /// Distance of the surfaces from which gaps are measured [mm].
+  /// The gap at which the surfaces touch [mm]; average gaps are relative to it.
   double offset() const { return offset_; }
-  /// Sets the distance of the surfaces from which gaps are measured [mm].
+  /// Sets the gap at which the surfaces touch [mm].
   void measure_gaps_from(double offset);
 
-  /// The time that linearising and tangents spend on single effects; the clock of the task takes it over.
+  /// The time that linearisations and tangents spend on each effect.
   EffectTimings& effect_times() const { return effect_times_; }
+  /// Memory of pairs, weights and convections [bytes].
   std::size_t memory() const;
-  /// Integrals over a pair of facets that gaps are averaged from.
+  /// Integrals over a pair from which nodal gaps are averaged.
   FacetGapSums gap_sums(const FacetPair& pair) const;
 
  private:
   NodalGaps averaged_gaps() const;
-  /// Sets the jumps, and the fields' own values at nodes.
+  /// Sets NodalLoads::jump, flux_area and own.
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
   FacingPairs facing_;
   BoundaryWeights weights_;
-  bool redistributes_;  ///< on segments alone
+  bool redistributes_;  ///< true if functions of partly covered facets are redistributed, which segments require
   bool unknown_multipliers_;
   bool symmetric_;
   double offset_;
   const FrictionRule& friction_;
-  IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node, where there is friction
+  IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node; empty without friction
   PerSide<Matrix3Xd> past_;  ///< primary and secondary positions at the start of the step; empty without friction
-  mutable EffectTimings effect_times_;     ///< a measurement, which no result depends on
-  mutable std::optional<NodalGaps> gaps_;  ///< of these pairs and weights, computed on demand
+  mutable EffectTimings effect_times_;  ///< measured times, on which no result depends
+  /// Average gaps with the present pairs and weights, computed when first needed.
+  mutable std::optional<NodalGaps> gaps_;
 };
 
 /// Values of the exchanged fields at the primary nodes, in the order of NodalLoads::own.
@@ -102,7 +111,7 @@ inline MatrixXd own_values(const FacingFields& fields, const Effects& effects) {
   return fields.primary.scalar.leftCols(effects.scalar_fields()).transpose();
 }
 
-/// Nodes of facets a part of which overlaps the other surface, though averages around them may be open.
+/// Nodes of facets that overlap with the other surface in part, even if the nodes' average gaps are open.
 NodeFlags overlapped_nodes(const MortarSpace& space);
 
 }  // namespace mixture_contact

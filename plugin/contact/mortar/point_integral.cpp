@@ -3,7 +3,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Derivative of the weights h = (N1(xi), -N2(eta)) of one node with the nodal positions.
+/// Derivative of the jump weight h_a of one node, h = (N1(xi), -N2(eta)), with the nodal positions.
 PairVariation<1> weight_variation(const PointKinematics& point, const KinematicVariations& vary, Index node) {
   const Index first = point.primary_nodes();
   if (node >= first) return -point.secondary_gradient.row(node - first).lazyProduct(vary.eta);
@@ -11,8 +11,9 @@ PairVariation<1> weight_variation(const PointKinematics& point, const KinematicV
   return point.primary_gradient.row(node).lazyProduct(vary.xi);
 }
 
-/// Adds the derivative of h_a F, three rows per node, where F is a force on the primary side; `dforce`: of the first
-/// nodes, with those of which alone it varies.
+/// Adds the derivative of the nodal forces h_a F, three rows per node, where F is the force on the primary side.
+/// `dforce`: variation of F with the positions of the first nodes of the pair; it does not depend on nodes without
+/// columns.
 void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
                        const PairVariation<3>& dforce, MatrixXd& tangent) {
   const Index first = point.primary_nodes();
@@ -33,7 +34,7 @@ void add_force_tangent(const PointKinematics& point, const KinematicVariations& 
   }
 }
 
-/// The force of friction on the primary side, w |a| t_T.
+/// The friction force on the primary side, w |a| t_T.
 Vector3d friction_force(const PointKinematics& point, const PointLoads& loads) {
   return loads.weight * point.area * loads.friction;
 }
@@ -52,8 +53,8 @@ void add_friction_force_variation(const PointKinematics& point, const KinematicV
   }
 }
 
-/// d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da] with the first nodes, dt_n = t_n' dg + t_n,alpha dxi_alpha: with the
-/// primary ones alone where nothing else turns or moves the force.
+/// The variation d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da], with dt_n = t_n' dg + t_n,alpha dxi_alpha. It has
+/// columns for the primary nodes only if the force depends on no other node.
 PairVariation<3> normal_force_variation(const PointKinematics& point, const KinematicVariations& vary,
                                         const PointLoads& loads) {
   const LawValue& traction = loads.traction;

@@ -1,4 +1,4 @@
-/// The heart of the contact: residual and tangent of the virtual work (2.5) at one integration point. Pure functions.
+/// Residual and tangent of the virtual work (2.5) at one integration point, as pure functions.
 #pragma once
 
 #include "base/local_layout.h"
@@ -12,39 +12,39 @@ using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_
 
 /// The loads at an integration point.
 struct PointLoads {
-  LawValue traction{0.0, 0.0};        ///< t_n [MPa] and dt_n/dg
-  Vector2d traction_slope{0.0, 0.0};  ///< dt_n/dxi_alpha where the point moves over the primary facet
-  Eigen::Array<LawValue, Eigen::Dynamic, 1>
-      flux;                     ///< per exchanged field: q_n and dq_n/djump; zero where not exchanged
-  Eigen::MatrixX2d flux_slope;  ///< dq_n/dxi_alpha per exchanged field; empty if the point does not move
-  Vector3d friction{0, 0, 0};   ///< t_T [MPa]
-  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();  ///< dt_T/dxi_alpha where the point
-                                                                                     ///< moves over the primary facet
+  LawValue traction{0.0, 0.0};        ///< normal traction t_n [MPa] and its derivative dt_n/dg
+  Vector2d traction_slope{0.0, 0.0};  ///< derivatives dt_n/dxi_alpha; used if the point moves on the primary facet
+  Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< flux q_n and its derivative dq_n/djump, per exchanged field
+  Eigen::MatrixX2d flux_slope;  ///< derivatives dq_n/dxi_alpha per exchanged field; empty if the point does not move
+  Vector3d friction{0, 0, 0};   ///< friction traction t_T [MPa]
+  /// Derivatives dt_T/dxi_alpha; used if the point moves on the primary facet.
+  Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();
   double weight = 0;          ///< quadrature weight: da1 = weight * |a|
-  double time_increment = 0;  ///< fluxes are integrated over the time step: their rows carry dt [s]
+  double time_increment = 0;  ///< time increment dt [s]: the rows of fluxes are integrated over the step
 
   bool has_friction() const { return !friction.isZero(0) || !friction_slope.isZero(0); }
 };
 
-/// Adds the contribution to the virtual work (2.5), dG = residual . (virtual positions and fields), shape
+/// Adds the contribution of a point to the virtual work (2.5), dG = residual . (virtual positions and fields), shape
 /// (layout.size()).
 ///
-/// Displacement rows: w h_a (t_n a + |a| t_T)  [N], since friction acts at the two points that face each other, as the
-/// normal traction does; row of field k: w dt |a| q_k h_a  [mm^3 or nmol], with h = (N1, -N2).
+/// Displacement rows: w h_a (t_n a + |a| t_T) [N]. Normal traction and friction both act at the two points that face
+/// each other. Rows of field k: w dt |a| q_k h_a [mm^3 or nmol], with h = (N1, -N2).
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
-/// Adds the exact derivative of the displacement rows of add_residual() with the nodal positions,
-/// eq (2.6), including the changes of da1, of n1, of the projected position and of the tractions there, t_T of the
-/// nodes held; rows and columns in the order of displacements alone.
+/// Adds the exact derivative of the displacement rows of add_residual() with the nodal positions, eq (2.6). It includes
+/// the changes of da1, of n1, of the projected position and of the interpolated tractions; nodal values of t_T are
+/// constant. Rows and columns contain displacements only.
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent);
 
-/// Adds the exact derivative of the rows of field k of the residual, one per node, with the nodal positions and that
-/// field's nodal values; columns in the order of `layout`, which has one field.
+/// Adds the exact derivative of the residual rows of field k, one per node, with the nodal positions and with the nodal
+/// values of the field. The columns have the order of `layout`, which has one field.
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
                       const PairVector& values, const LocalLayout& layout, MatrixXd& tangent);
 
-/// Derivative of a jump h.phi with the nodal positions, phi1,alpha dxi_alpha - phi2,beta deta_beta.
+/// Derivative of the jump h.phi of nodal values phi with the nodal positions: phi1,alpha dxi_alpha - phi2,beta
+/// deta_beta.
 PairVariation<1> jump_variation(const PointKinematics& point, const KinematicVariations& vary,
                                 const PairVector& values);
 

@@ -7,11 +7,12 @@
 namespace mixture_contact {
 namespace {
 
-/// Of one pair, per node of its primary facet; empty where it carries no load.
+/// The integrals over a pair for the averages of friction, per node of its primary facet; empty if no node of the facet
+/// is in contact.
 struct SlipSums {
-  FacetCoordinates slip;         ///< INT psi_a r da
-  FacetCoordinates area_vector;  ///< INT psi_a n da
-  FacetVector pressure;          ///< INT psi_a (p~ - p*) da
+  FacetCoordinates slip;         ///< integrals INT psi_a r da of the slip
+  FacetCoordinates area_vector;  ///< integrals INT psi_a n da of the normal
+  FacetVector pressure;          ///< integrals INT psi_a (p~ - p*) da of the excess pressure
 };
 
 SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields,
@@ -36,8 +37,8 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   return sums;
 }
 
-/// The facet whose fluid pressure acts on the friction of a pair: the primary one, else the secondary one, if either
-/// has fluid.
+/// The side whose fluid pressure acts on the friction of a pair: the primary one if its facet has fluid, else the
+/// secondary one; empty if neither has fluid.
 std::optional<Side> bearing_side(const FacingPairs& facing, const FacetPair& pair) {
   if (!facing.effects().has_bearing_fluid()) return std::nullopt;
   const int field = facing.effects().pressure_field();
@@ -46,7 +47,8 @@ std::optional<Side> bearing_side(const FacingPairs& facing, const FacetPair& pai
   return std::nullopt;
 }
 
-/// Has the primary facets of pairs around a node used: with their convection there. Returns the sum of the areas.
+/// Calls use(facet, convection at the node) for each primary facet of the pairs around a node. Returns the sum of the
+/// facets' areas at the node.
 template <class Use>
 double for_each_facet_around(const MortarSpace& space, Index node, const PairsAround& pairs, const Use& use) {
   double areas = 0;
@@ -63,14 +65,14 @@ double for_each_facet_around(const MortarSpace& space, Index node, const PairsAr
   return areas;
 }
 
-/// F = sum_b x_b C_b^T
+/// The convection F = sum_b x_b C_b^T at a node of a facet with nodal positions x.
 Eigen::Matrix3d convected(const Convection& there, const FacetCoordinates& x) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (Index b = 0; b < x.cols(); ++b) sum += x.col(b).lazyProduct(there.coefficients.col(b).transpose());
   return sum;
 }
 
-/// Has each primary facet that is paired used, with its index.
+/// Calls use(index, facet) for each primary facet that has a pair.
 template <class Use>
 void for_each_primary_facet(const MortarSpace& space, const Use& use) {
   int done = -1;

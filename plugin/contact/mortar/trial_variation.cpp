@@ -6,8 +6,8 @@ namespace mixture_contact {
 
 Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisation& linear,
                           const NodalFriction& friction) {
-  // tau = (1 - n n) F v with v = lambda - eps s:  dtau = (1 - n n) (F dv + dF v) - dn (n.F v) - n (dn.F v),
-  // dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| with the mean area vector m.
+  // The trial is tau = (1 - n n) F v with v = lambda - eps s. Therefore dtau = (1 - n n) (F dv + dF v) - dn (n.F v) - n
+  // (dn.F v), where dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| for the mean area vector m.
   const NodeLinearisation::Friction& vary = linear.friction;
   const FrictionTrial trial = friction.geometric.size() > 0
                                   ? carried_trial(friction, node, friction.geometric.col(node))

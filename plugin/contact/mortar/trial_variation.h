@@ -1,4 +1,4 @@
-/// How trial frictions vary.
+/// Variation of the trial friction tau_a with the nodal positions.
 #pragma once
 
 #include "conditions/nodal_laws.h"
@@ -6,12 +6,12 @@
 
 namespace mixture_contact {
 
-/// dtau_a/du of a node, columns in the order of gap_variation. The part that turns with the surface is the geometric
-/// vector of an iteration if it has one.
+/// The derivative dtau_a/du of a node, columns in the order of gap_variation. If the iteration has a geometric friction
+/// traction, this vector is used for the part that rotates with the surface.
 Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisation& linear,
                           const NodalFriction& friction);
 
-/// Sets it for all nodes in contact.
+/// Sets NodeLinearisation::Friction::trial_variation for all nodes in contact.
 void vary_trials(const NodalLaws& laws, const NodalLoads& loads, IndexedVector<NodeLinearisation>& nodes);
 
 }  // namespace mixture_contact

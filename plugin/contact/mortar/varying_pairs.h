@@ -1,4 +1,4 @@
-/// Linearisation of averages and of further quantities of the same pairs.
+/// Linearisation of nodal averages that also passes the variations of the pairs to a function.
 #pragma once
 
 #include "mortar/linearisation.h"
@@ -8,11 +8,11 @@
 
 namespace mixture_contact {
 
-/// Takes a pair of facets that carries load, given by its index.
+/// Receives a pair that carries load: its index and its variations.
 using UseVaryingPair = std::function<void(Index pair, const VaryingPair& varying)>;
 
-/// Linearises the averages of the nodes in contact, as linearise() does, and has the pairs used otherwise, too: once
-/// each that carries load, on several threads. They carry the loads `carried`, in a time increment of 1.
+/// Linearises the averages of the nodes in contact, as linearise() does, and calls `use` once for each pair that
+/// carries load, on several threads. The pairs passed to `use` have the loads `carried` and a time increment of 1.
 IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const NodalLoads& loads,
                                            const FacingFields& fields, const NodalLoads& carried,
                                            const UseVaryingPair& use);

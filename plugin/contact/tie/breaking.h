@@ -1,4 +1,4 @@
-/// The ways in which a tie breaks, with a type for each, and the damage of its nodes.
+/// The laws by which a tie breaks, and the damage of tied nodes.
 #pragma once
 
 #include "conditions/cohesive.h"
@@ -8,20 +8,20 @@
 
 namespace mixture_contact {
 
-/// A tie that lasts for ever.
+/// A tie that never breaks.
 struct Unbreakable {};
 
 using BreakingLaw = std::variant<Unbreakable, Brittle, Cohesive>;
 
 inline bool may_break(const BreakingLaw& law) { return !std::holds_alternative<Unbreakable>(law); }
 
-/// The damage of tied nodes; empty where a tie cannot break.
+/// The damage of the tied nodes. All vectors are empty if the tie cannot break.
 struct DamageState {
-  VectorXd damage;     ///< d per tied node: 0 whole, 1 broken for ever [-]
-  VectorXd energy;     ///< dissipated by damage [mJ/mm^2]
-  VectorXd viscous;    ///< dissipated by viscosity [mJ/mm^2]
-  VectorXd opening;    ///< lambda at the last solution [mm]; of cohesive bonds
-  VectorXd broken_at;  ///< time at which the node broke [s]; negative while it has not
+  VectorXd damage;     ///< damage d per tied node: 0 intact, 1 broken permanently [-]
+  VectorXd energy;     ///< energy dissipated by damage, per area [mJ/mm^2]
+  VectorXd viscous;    ///< energy dissipated by viscosity, per area [mJ/mm^2]
+  VectorXd opening;    ///< opening lambda of cohesive bonds at the last accepted solution [mm]
+  VectorXd broken_at;  ///< time at which the node broke [s]; negative for a node that has not broken
 
   DamageState() = default;
   explicit DamageState(Index nodes)

@@ -7,11 +7,11 @@
 namespace mixture_contact {
 namespace {
 
-/// What a node dissipates as it goes on from the accepted damage, and the damage that it comes to.
+/// The damage of a node at a solution, and the energy that it dissipates on the way from its accepted damage.
 struct Advance {
   double damage = 0;
   Dissipated energy;
-  double opening = 0;  ///< [mm]
+  double opening = 0;  ///< opening lambda [mm]
 };
 
 Advance advance(const Unbreakable& /*law*/, const Tie& /*tie*/, Index /*n*/, const TieLoads& /*loads*/,

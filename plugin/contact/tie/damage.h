@@ -1,23 +1,23 @@
-/// Damage of a tie at a solution, and its remaining joined nodes.
+/// Damage of a tie at an accepted solution, and the nodes that are still joined.
 #pragma once
 
 #include "tie/tie.h"
 
 namespace mixture_contact {
 
-/// The damage that a solution leaves, at a time [s]. Brittle bonds break where their load exceeds the strength;
-/// cohesive ones have softened. The stored energy of a bond that breaks at once counts as dissipated.
+/// The damage after an accepted solution at a time [s]. Brittle bonds break if their traction exceeds the strength;
+/// cohesive bonds soften. The stored energy of a brittle bond that breaks counts as dissipated.
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time);
 
-/// Sets the damage of a tie. Broken nodes lose their multipliers; the equation of an unknown multiplier sets it to
-/// zero.
+/// Sets the damage of a tie. The multipliers of broken nodes become zero; an unknown multiplier of a broken node
+/// becomes zero through its own equation.
 void take_damage(Tie& tie, DamageState damage);
 
-/// Number of broken nodes.
+/// The number of broken nodes.
 Index broken_nodes(const Tie& tie);
 
-/// Nodes of both surfaces that are not free to part: all but the primary nodes that have broken, and the secondary ones
-/// that these alone were tied to.
+/// Per surface, true for the nodes that remain joined. Primary nodes that have broken are free, and so are secondary
+/// nodes that were tied to broken nodes only. All other nodes count as joined.
 PerSide<NodeFlags> joined_nodes(const Tie& tie);
 
 }  // namespace mixture_contact

@@ -10,18 +10,18 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// The normal of places on primary facets together, n = a/|a| with the area vector a = sum x,1 x x,2 of all.
+/// A mean normal over points on primary facets: n = a/|a| with the sum a of the area vectors x,1 x x,2 at the points.
 struct NormalAt {
   Vector3d normal;
-  double length = 0;               ///< |a|
-  IndexedVector<Index> nodes;      ///< of the tied node, facet by facet
-  IndexedVector<Matrix3d> d_area;  ///< da/dx per entry of `nodes`
+  double length = 0;               ///< length |a| of the area vector
+  IndexedVector<Index> nodes;      ///< positions of the facets' nodes in TiedNode::primary, facet by facet
+  IndexedVector<Matrix3d> d_area;  ///< da/dx for each entry of `nodes`
 
-  /// dn/da.
+  /// The derivative dn/da.
   Matrix3d by_area() const { return (Matrix3d::Identity() - normal * normal.transpose()) / length; }
 };
 
-/// The tangents x,1 and x,2 of a facet, shape (3, 2).
+/// The tangents x,1 and x,2 at a point of a facet, shape (3, 2).
 Eigen::Matrix<double, 3, 2> tangents_at(const TiedNode& tied, const PlaceOnFacet& place, const Matrix3Xd& x1) {
   Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
   for (Index b = 0; b < place.places.count(); ++b)
@@ -29,7 +29,7 @@ Eigen::Matrix<double, 3, 2> tangents_at(const TiedNode& tied, const PlaceOnFacet
   return tangents;
 }
 
-/// `places`: a range of PlaceOnFacet.
+/// The mean normal at points on primary facets. `places`: a range of PlaceOnFacet.
 template <class Places>
 NormalAt normal_at(const TiedNode& tied, const Places& places, const Matrix3Xd& x1) {
   NormalAt found;

@@ -1,26 +1,28 @@
 /// The gap vector of a tied node, D_a = sum_j W_aj x_j - INT psi_a g0 n1 dA / A_a, and its derivatives.
 ///
-/// A gap that is kept follows the normal of the primary surface, so that D turns with the bodies: D(Q x + c) = Q D(x).
-/// Forces that are derivatives of a function of |D| then have no moment.
+/// A kept initial gap g0 n1 follows the normal of the primary surface, so that D rotates with the bodies: D(Q x + c) =
+/// Q D(x). Forces that derive from a function of |D| therefore have no moment.
 #pragma once
 
 #include "tie/tied_node.h"
 
 namespace mixture_contact {
 
-/// D_a at these positions [mm].
+/// The gap vector D_a at the positions x [mm].
 Vector3d gap_vector(const TiedNode& tied, const FacingPositions& x);
 
-/// dD_a/dx, shape (3, 3 nodes).
+/// The derivative dD_a/dx with the positions of the tied node's nodes, shape (3, 3 nodes).
 Matrix3Xd gap_variation(const TiedNode& tied, const FacingPositions& x);
 
-/// The second derivative of load.D_a with the positions, shape (3 nodes, 3 nodes); symmetric, zero without kept gaps.
+/// The second derivative of load.D_a with the positions, shape (3 nodes, 3 nodes). It is symmetric, and zero if no gap
+/// is kept.
 MatrixXd gap_hessian(const TiedNode& tied, const FacingPositions& x, const Vector3d& load);
 
-/// The unit normal of a tied node out of the primary body, as its facets lie now; find_normals() gives it these. Then
-/// dn/dx, shape (3, 3 nodes), and the second derivative of load.n, shape (3 nodes, 3 nodes).
+/// The present unit normal at a tied node, out of the primary body; find_normals() must have set the facets.
 Vector3d normal_of(const TiedNode& tied, const FacingPositions& x);
+/// The derivative dn/dx of normal_of(), shape (3, 3 nodes).
 Matrix3Xd normal_variation(const TiedNode& tied, const FacingPositions& x);
+/// The second derivative of load.n with the positions, where n is normal_of(); shape (3 nodes, 3 nodes).
 MatrixXd normal_hessian(const TiedNode& tied, const FacingPositions& x, const Vector3d& load);
 
 }  // namespace mixture_contact

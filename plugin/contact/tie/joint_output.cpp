@@ -3,10 +3,10 @@
 namespace mixture_contact {
 namespace {
 
-/// Columns of values as means over the areas of both.
+/// Replaces the columns of `own` by the means of both values, weighted with the areas of both.
 template <class Values>
 void mix(Values& own, const Values& other, const VectorXd& own_area, const VectorXd& other_area) {
-  if (own.cols() < own_area.size() || other.cols() < own_area.size()) return;  // one has no such values
+  if (own.cols() < own_area.size() || other.cols() < own_area.size()) return;  // one of the contacts has no such values
   for (Index node = 0; node < own_area.size(); ++node) {
     const double area = own_area[node] + other_area[node];
     if (!(area > 0)) continue;

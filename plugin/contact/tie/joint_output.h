@@ -5,8 +5,8 @@
 
 namespace mixture_contact {
 
-/// The output of a tie and of the sliding contact of its broken nodes as that of one contact: sums, and at nodes means
-/// over the areas of both. Both exchange the same fields.
+/// Combines the output of a tie with that of the sliding contact of its broken nodes. Sums are added; nodal values are
+/// means weighted with the areas of both. Both have to exchange the same fields.
 InterfaceOutput together(InterfaceOutput tie, const InterfaceOutput& sliding);
 
 }  // namespace mixture_contact

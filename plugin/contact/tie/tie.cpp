@@ -12,12 +12,12 @@
 namespace mixture_contact {
 namespace {
 
-/// Penalty of an unknown multiplier over the stiffness of the adjoining elements. The diagonal -1/penalty makes the
-/// matrix quasi-definite, so that conditions which repeat each other, where several ties or prescribed values meet, do
-/// not make it singular. Each iteration leaves this reciprocal part of what a gap was; the solution meets D = 0.
+/// The stiffness of the diagonal entry of an unknown multiplier, over the stiffness of the adjoining elements. The
+/// entry -1/penalty makes the matrix quasi-definite: redundant conditions, where several ties or prescribed values
+/// meet, do not make it singular. Each iteration reduces the gap by this factor, and the solution meets D = 0.
 constexpr double unknown_factor = 1e8;
 
-/// Values of a field at the nodes of a tied node, in their order.
+/// Values of a field at the nodes of a tied node, primary nodes first.
 VectorXd values_at(const TiedNode& tied, const PerSide<SurfaceFields>& fields, Index field) {
   VectorXd values(tied.count());
   Index n = 0;
@@ -26,7 +26,7 @@ VectorXd values_at(const TiedNode& tied, const PerSide<SurfaceFields>& fields, I
   return values;
 }
 
-/// A node's value; where it is zero (impermeable facets around it), the largest of the surface, or one.
+/// The value of a node. If it is zero (impermeable facets around the node), the largest value of the surface, or one.
 double unit_of(const Eigen::Ref<const VectorXd>& values, int node) {
   if (values[node] > 0) return values[node];
   const double largest = values.maxCoeff();
@@ -48,7 +48,7 @@ BondLoad bond(const Tie& tie, Index n, const Vector3d& gap, const FacingPosition
                    normal_of(tie.nodes()[n], x));
 }
 
-/// The derivative of the loads of a bond with its gap vector and its normal.
+/// The derivative of a bond's loads with its gap vector and its normal.
 BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads,
                          Softening softening) {
   const Vector3d gap = loads.gap.col(n);
@@ -75,7 +75,7 @@ VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, co
   return residual;
 }
 
-/// The second derivative of a node's energy per area with the positions.
+/// The second derivative of a node's energy per area with the nodal positions.
 MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) {
   const TiedNode& tied = tie.nodes()[n];
   const Matrix3Xd variation = gap_variation(tied, x);
@@ -180,7 +180,7 @@ Patch Tie::patch(Index n, int field) const { return patch(n).of_field(field, fal
 
 template <class Values, class Make, class Use>
 void Tie::for_each_part(const Make& make, const Use& use) const {
-  const Index parts = effects_.scalar_fields() + 1;  // of a node: its traction, then its fluxes
+  const Index parts = effects_.scalar_fields() + 1;  // number of parts of a node: its traction, then its fluxes
   const auto exists = [&](Index n, Index part) {
     return part == 0 ? effects_.traction : nodes_[n].exchanges(indexing::as_int(part - 1));
   };

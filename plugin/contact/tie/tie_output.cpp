@@ -7,7 +7,7 @@
 namespace mixture_contact {
 namespace {
 
-/// Sums over areas at the nodes of a surface.
+/// Sums of values times areas at the nodes of a surface.
 struct NodeSums {
   VectorXd area;
   Matrix3Xd gap;
@@ -31,8 +31,8 @@ struct NodeSums {
   }
 };
 
-/// Means over the areas, as a surface sees them: `sense` -1 turns what has the primary surface's sense round.
-/// `normals`: at its nodes, out of its body.
+/// The area-weighted means at the nodes of a surface. `sense`: 1 for the primary surface, -1 for the secondary one,
+/// whose gaps and tractions have the opposite sign. `normals`: unit normals at the nodes, out of the body.
 NodalOutput means_of(const NodeSums& sums, double sense, const Matrix3Xd& normals) {
   const Index nodes = sums.area.size();
   NodalOutput output;
@@ -52,14 +52,14 @@ NodalOutput means_of(const NodeSums& sums, double sense, const Matrix3Xd& normal
     output.gap[node] = gap.dot(normal);
     output.pressure[node] = -traction.dot(normal);
     output.friction.traction.col(node) = traction + output.pressure[node] * normal;
-    output.friction.slip.col(node) = output.gap[node] * normal - gap;  // of this side over the other
+    output.friction.slip.col(node) = output.gap[node] * normal - gap;  // slip of this side relative to the other side
     output.flux.col(node) = factor * sums.flux.col(node);
     output.jump.col(node) = factor * sums.jump.col(node);
   }
   return output;
 }
 
-/// Bonds around the nodes of a surface, whole and broken.
+/// Area-weighted damage, opening and energy of the bonds around the nodes of a surface.
 struct BondSums {
   VectorXd area;
   BreakingOutput sums;

@@ -6,10 +6,13 @@
 
 namespace mixture_contact {
 
-/// Normal parts of gap and traction are those of a contact, tension being a negative pressure; tangential parts stand
-/// where friction and slip do. Nodes that are not tied, or not any more, have zeros. `damage`: that of a solution at
-/// this state.
+/// The output of a tie. Gap and pressure are the normal components of gap vector and traction, as for sliding contact;
+/// a tensile traction is a negative pressure. The tangential components are output as slip and friction traction. Nodes
+/// that are not tied, or are broken, have zeros.
+///
+/// `damage`: the damage of the solution at this state.
 InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields, const DamageState& damage);
+/// The output of a tie with its accepted damage.
 inline InterfaceOutput output(const Tie& tie, const PerSide<SurfaceFields>& fields) {
   return output(tie, fields, tie.state().damage);
 }

@@ -12,13 +12,13 @@
 namespace mixture_contact {
 namespace {
 
-/// Gaps below this part of a surface's size are rounding of its positions.
+/// Gaps below this fraction of a surface's size are rounding of its positions.
 constexpr double rounding_of_gaps = 1e-12;
 
-/// Weights of nodes by their numbers.
+/// Weights by the numbers of their nodes.
 using Weights = std::map<int, double>;
 
-/// Integrals of one quantity around a node.
+/// Integrals of the jump of one quantity around a node.
 struct Sums {
   double area = 0;
   PerSide<Weights> weights;
@@ -32,11 +32,11 @@ struct Sums {
   }
 };
 
-/// The gap of a point, by the facet whose normal it follows.
+/// The initial gap of a point, with the facet whose normal the gap follows.
 struct GapOfPoint {
   int facet = 0;
   FacetGradient gradient;
-  double sum = 0;  ///< INT psi_a g0 dA
+  double sum = 0;  ///< integral INT psi_a g0 dA
 };
 
 /// Integrals around a node over all pairs of facets.
@@ -57,11 +57,11 @@ void add_gap(IndexedVector<GapOfPoint>& gaps, const FacetPair& pair, const Facet
   }
 }
 
-/// A point of a pair with its kinematics and the share of each node of its primary facet.
+/// A point of a pair with its kinematics and the weights of the nodes of both facets.
 struct PlacedPoint {
   PointKinematics kinematics;
-  FacetVector shares;            ///< weight |a| psi_a
-  FacetVector secondary_shares;  ///< psi_b of the secondary facet
+  FacetVector shares;            ///< quadrature weight times |a| psi_a, per primary node
+  FacetVector secondary_shares;  ///< shape functions of the secondary facet
 };
 
 PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
@@ -98,7 +98,7 @@ void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Mat
   }
 }
 
-/// Numbers of nodes that have weights, ascending.
+/// The numbers of the nodes that have weights, ascending.
 IndexedVector<int> numbers_in(const Weights& weights) {
   IndexedVector<int> numbers;
   for (const auto& entry : weights) numbers.push_back(entry.first);
@@ -144,7 +144,7 @@ TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary)
   return tied;
 }
 
-/// Where the rays of primary nodes along their normals meet the secondary surface, however far away.
+/// The intersections of the normals of the primary nodes with the secondary surface, at any distance.
 IndexedVector<std::optional<SurfaceHit>> hits_at_any_distance(const PerSide<SurfaceMesh>& mesh, Settings settings,
                                                               const PerSide<Matrix3Xd>& x) {
   const FacingPositions facing = seen_from(Side::primary, x);

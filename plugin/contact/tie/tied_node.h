@@ -1,4 +1,5 @@
-/// Nodes that a tie couples for ever: weights over nodes of both surfaces, found once in the reference configuration.
+/// Nodes of the primary surface that a tie couples to the secondary surface. Their averaging weights are computed once,
+/// in the reference configuration.
 #pragma once
 
 #include "base/patch.h"
@@ -7,63 +8,70 @@
 
 namespace mixture_contact {
 
-/// The average of a jump around a node, secondary less primary side: weights times the values of the nodes.
+/// The average of a jump around a node, secondary minus primary side: the sum of weights times nodal values.
 struct TiedAverage {
-  double area = 0;   ///< INT psi_a dA where facets of both sides let the quantity through, in the reference [mm^2]
-  VectorXd weights;  ///< INT psi_a (N2, -N1) dA over the area; they add up to zero
+  /// INT psi_a dA over the facets whose both sides are permeable to the quantity, in the reference configuration
+  /// [mm^2].
+  double area = 0;
+  VectorXd weights;  ///< weights of the nodes, INT psi_a (N2, -N1) dA divided by the area; they add up to zero
 
   bool exists() const { return area > 0; }
 };
 
-/// A place on a primary facet, at which it has a normal.
+/// A point on a primary facet at which the normal is computed.
 struct PlaceOnFacet {
-  IndexedVector<Index> places;  ///< of the facet's nodes among those of the tied node
-  FacetGradient gradient;       ///< of their shape functions at the place
+  IndexedVector<Index> places;  ///< positions of the facet's nodes in TiedNode::primary
+  FacetGradient gradient;       ///< gradients of their shape functions at the point
 };
 
-/// An initial gap that is kept along the present normal of a primary facet.
+/// An initial gap of one point that is kept along the present normal of the primary facet.
 struct KeptGap {
   PlaceOnFacet at;
-  double size = 0;  ///< INT psi_a g0 dA over the area, of the point [mm]
+  double size = 0;  ///< integral INT psi_a g0 dA of the point divided by the area of the node [mm]
 };
 
-/// A primary node with the points that its averages are taken over.
+/// A node of the primary surface with the nodes and weights of its averages.
 struct TiedNode {
-  int node = 0;  ///< of the primary surface
+  int node = 0;  ///< index on the primary surface
+  /// Primary nodes of the averages, ascending.
   IndexedVector<int> primary;
+  /// Secondary nodes of the averages, ascending.
   IndexedVector<int> secondary;
+  /// Average of the displacement jump.
   TiedAverage traction;
-  IndexedVector<TiedAverage> fields;  ///< per exchanged scalar field
-  VectorXd secondary_shares;          ///< the parts of the area that belong to the secondary nodes; they add up to one
-  IndexedVector<KeptGap> gaps;        ///< empty where the surfaces touch
-  IndexedVector<PlaceOnFacet> corners;  ///< the node on its facets, for its normal; empty where nothing asks for it
+  IndexedVector<TiedAverage> fields;  ///< averages of the jumps of the exchanged scalar fields
+  VectorXd secondary_shares;    ///< fractions of the node's area that belong to the secondary nodes; they add up to one
+  IndexedVector<KeptGap> gaps;  ///< kept gaps of the points; empty if the surfaces touch
+  /// The node as a point of each facet around it, for its normal; empty if no law requires the normal.
+  IndexedVector<PlaceOnFacet> corners;
 
   Index count() const { return primary.count() + secondary.count(); }
   bool exchanges(int field) const { return fields[field].exists(); }
 };
 
-/// The nodes of a primary surface that a tie leaves free.
+/// The nodes of a primary surface that are not tied, by reason.
 struct UntiedNodes {
+  /// Number of nodes whose normals do not meet the secondary surface.
   int facing_nothing = 0;
-  int too_far = 0;              ///< beyond the search radius
-  double largest_distance = 0;  ///< of those, along their normals [mm]
+  int too_far = 0;              ///< number of nodes farther away than the search radius
+  double largest_distance = 0;  ///< largest distance of these nodes, along their normals [mm]
 
   int count() const { return facing_nothing + too_far; }
 };
 
-/// Finds the tied nodes and the weights of their averages. Weights and areas are those of the sliding contact's
-/// averages, at these positions. Gaps that are rounding of the positions count as none.
+/// Finds the tied nodes and the weights of their averages at the reference positions. Weights and areas are those of
+/// sliding contact. Gaps within the rounding of the positions count as zero.
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
                                         const Settings& settings, const PerSide<Matrix3Xd>& reference);
 
-/// Has tied nodes know the facets around them, which their normals follow.
+/// Sets TiedNode::corners: the facets around each tied node, from which its normal is computed.
 void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary);
 
-/// The other nodes of the primary surface.
+/// Counts the nodes of the primary surface that are not tied.
 UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh,
                          const Settings& settings, const PerSide<Matrix3Xd>& reference);
 
-/// Positions of the primary nodes once those that are tied have closed their gaps along their normals.
+/// The positions of the primary nodes after tied nodes have closed their gaps along their normals.
 Matrix3Xd without_gaps(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh, const Settings& settings,
                        const PerSide<Matrix3Xd>& reference);
 

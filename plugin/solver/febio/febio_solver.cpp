@@ -127,7 +127,7 @@ int FEBioSolver::iterations() const { return febio()->m_niter; }
 // ------------------------------------------------------------ the model
 
 bool FEBioSolver::is_predictable() const {
-  // Rigid bodies move with unknowns of their own; the arc-length method finds its loads itself.
+  // Rigid bodies move by unknowns of their own, and the arc-length method determines the loads itself.
   const auto* mechanics = dynamic_cast<const FEMechModel*>(&fem_);
   const auto* solids = dynamic_cast<const FESolidSolver2*>(febio());
   return (mechanics == nullptr || mechanics->RigidBodies() == 0) && (solids == nullptr || solids->m_arcLength == 0);
@@ -143,7 +143,7 @@ std::vector<double> FEBioSolver::load_values() const {
 }
 
 void FEBioSolver::save_state() {
-  // As FEBio keeps it for an attempt that fails.
+  // FEBio saves the state for repeated steps in the same way.
   saved_ = std::make_unique<DumpMemStream>(fem_);
   fem_.Serialize(*saved_);
   forces_matrix_ = febio()->m_bforceReform;

@@ -1,4 +1,4 @@
-/// FEBio's solver of the present step, as the helpers know it.
+/// FEBio's solver of the present step behind the interface that the helpers use.
 #pragma once
 
 #include "solver/solver.h"
@@ -11,12 +11,13 @@ class FENewtonSolver;
 
 namespace newton {
 
+/// Implements Solver with FEBio's model and the solver of its present step.
 class FEBioSolver : public Solver {
  public:
   explicit FEBioSolver(FEModel& fem);
   ~FEBioSolver() override;
 
-  /// Null if the present step is not solved by Newton's method.
+  /// FEBio's Newton solver; null if the present step is not solved by Newton's method.
   FENewtonSolver* febio() const;
 
   bool is_newton() const override { return febio() != nullptr; }
@@ -50,7 +51,7 @@ class FEBioSolver : public Solver {
  private:
   FEModel& fem_;
   std::unique_ptr<DumpMemStream> saved_;
-  bool forces_matrix_ = false;  ///< the solver's plan when its state was saved
+  bool forces_matrix_ = false;  ///< the solver's plan to assemble a matrix, when its state was saved
 };
 
 }  // namespace newton

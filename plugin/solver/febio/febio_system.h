@@ -1,4 +1,4 @@
-/// The system of equations of FEBio's solver: its matrix, when that is formed, and its tolerances.
+/// The equation system of FEBio's solver: its matrix, the strategy for new matrices, and its tolerances.
 #pragma once
 
 #include "febio_solver.h"
@@ -7,52 +7,57 @@ class FEGlobalMatrix;
 
 namespace newton {
 
-/// FEBio's use of a matrix once it is formed.
+/// The use that FEBio makes of a matrix after its assembly.
 enum class MatrixStrategy {
-  none,            ///< the present step forms none
-  updated,         ///< at most most_updates() updates of a quasi-Newton method; 0: a matrix for each iteration
-  unchanged,       ///< modified Newton
-  preconditioner,  ///< of differences of residuals (JFNK)
-  residuals_alone  ///< differences of residuals without a preconditioner
+  none,            ///< no matrix is assembled in the present step
+  updated,         ///< quasi-Newton with up to most_updates() updates; 0: a new matrix in each iteration
+  unchanged,       ///< modified Newton: the same matrix for all iterations
+  preconditioner,  ///< preconditioner of a Jacobian-free method (JFNK)
+  residuals_alone  ///< Jacobian-free method without a preconditioner
 };
 
+/// Access to the equation system of FEBio's solver.
 class FEBioSystem {
  public:
-  /// Keeps references.
+  /// Keeps references to the model and to its solver.
   FEBioSystem(FEModel& fem, FEBioSolver& solver) : fem_(fem), solver_(solver) {}
 
   FEBioSolver& solver() const { return solver_; }
 
-  /// The smallest of FEBio's tolerances on increments that are tested, each a part of the change of the step; infinite
-  /// if FEBio tests none.
+  /// The smallest tolerance on increments that FEBio tests, relative to the change in the step; infinite if FEBio tests
+  /// none.
   double increment_tolerance() const;
 
-  // The system of equations. FEBio solves for the residual at the start of an iteration, vectors().residual.
+  // The equation system. FEBio solves for the residual at the start of an iteration, vectors().residual.
   FEGlobalMatrix& matrix() const;
-  /// Returns false if FEBio cannot solve.
+  /// Solves with the present factorisation. Returns false if FEBio's linear solver fails.
   bool solve(std::vector<double>& solution, std::vector<double> right) const;
-  /// Factorises the present matrix. Throws FEBio's error after a failure.
+  /// Factorises the present matrix. Throws FEBio's error if that fails.
   void factorise() const;
-  /// Forms a matrix at the present state, as FEBio does within its iterations, and calls all callbacks.
+  /// Assembles a matrix at the present state, as FEBio does within its iterations, with all callbacks.
   void form_matrix() const;
   /// Evaluates the residual at the present state again.
   void renew_residual() const;
 
-  // When FEBio forms a matrix
+  // FEBio's decisions to assemble a matrix.
   MatrixStrategy strategy() const;
-  /// Number of matrices that FEBio has formed in this step.
+  /// The number of matrices that FEBio has assembled in this step.
   int matrices() const;
-  /// FEBio's limit on matrices between two augmentations.
+  /// FEBio's limit on the number of matrices between two augmentations.
   int most_matrices() const;
+  /// True if the limit on the number of matrices is not reached.
   bool may_form_matrix() const;
+  /// The number of quasi-Newton updates since the last matrix.
   int updates() const;
+  /// The largest number of quasi-Newton updates.
   int most_updates() const;
-  /// Drops the updates of the matrix. Returns their number.
+  /// Discards the quasi-Newton updates of the matrix. Returns their number.
   int drop_updates() const;
-  /// Whether FEBio must form a matrix after the present trial.
+  /// True if FEBio will assemble a matrix after the present trial in any case.
   bool is_matrix_forced() const;
+  /// Makes FEBio assemble a matrix after the present trial, or not.
   void force_matrix(bool is_forced) const;
-  /// Whether FEBio forms a matrix after each augmentation.
+  /// FEBio's setting whether a matrix is assembled after each augmentation.
   bool& forms_matrix_after_augmentations() const;
 
  private:

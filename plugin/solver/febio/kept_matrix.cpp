@@ -13,37 +13,41 @@ namespace newton {
 
 namespace {
 
-/// Of FEBio's modified Newton method, which has no limit of its own, so that an active set which cycles ends.
+/// Largest number of iterations with one matrix in FEBio's modified Newton method, which has no limit of its own. It
+/// stops an active set that cycles.
 constexpr int most_iterations = 50;
 
-/// What an iteration with a matrix that is kept may leave of the residual that the one before it has left. With
-/// corrections, which drop FEBio's updates, the residual falls evenly: at this rate ten iterations leave a thousandth,
-/// which one with another matrix mostly does. The size is a choice, that of ActiveSetOptions::most_left.
+/// The largest factor by which an iteration with a kept matrix may reduce the residual, for the matrix to be kept
+/// longer. With corrections, which discard FEBio's updates, the reduction is uniform: at this rate ten iterations leave
+/// a thousandth, which a single iteration with a new matrix usually achieves. The size is a choice, the same as
+/// ActiveSetOptions::most_left.
 constexpr double most_left = 0.5;
 
-/// Matrices in a step with which corrections may leave too much, until each further iteration of the step has a matrix
-/// of its own. The size is a choice: one such matrix may be of a contact that has just changed.
+/// Number of matrices in a step whose corrections may leave too much of the residual. After that, each iteration of the
+/// step has a new matrix. The size is a choice: one such matrix may have been assembled just before a large change of
+/// the contact.
 constexpr int most_spent = 2;
 
-/// How far an increment may be off for the parts that stand beside the matrix, as a part of it. An iteration that is
-/// off by so much leaves as much to the next one.
+/// The largest relative error of an increment from the deferred parts. An iteration with this error leaves the same
+/// fraction to the next one.
 constexpr double left_by_sweeps = 1e-2;
 
-/// The same where no sweep has shown it, as a part of FEBio's tolerance on increments: such an error is not to be what
-/// keeps an iteration from being the last. The size is a choice.
+/// The largest relative error of an increment from the deferred parts if no iteration of the splitting has been
+/// performed, as a fraction of FEBio's tolerance on increments. Such an error must not prevent convergence. The size is
+/// a choice.
 constexpr double left_unseen = 0.2;
-/// How much of what earlier solutions have shown of sweeps still counts beside the last one: they differ from one
-/// right-hand side to the next. The size is a choice.
+/// The factor on the reduction that earlier solutions have shown, in the maximum with that of the last solution; the
+/// reduction differs between right-hand sides. The size is a choice.
 constexpr double remembered = 0.5;
 
-/// Of a solution, by rows. A penalty makes of the error of a gap a load: of a gap that is 1e-5 of the displacements, as
-/// with penalties of 1e5 times the stiffness of the bodies, this is a ten thousandth.
+/// The largest backward error of a solution. A penalty turns the error of a gap into a load: for a gap of 1e-5 of the
+/// displacements, as with penalties of 1e5 times the stiffness of the bodies, the error of the load is 1e-4.
 constexpr double largest_backward_error = 1e-9;
 
 }  // namespace
 
 void KeptMatrix::formed(const MatrixParts& parts) {
-  is_requested_ = false;  // FEBio has taken the request
+  is_requested_ = false;  // FEBio has met the request
   begin();
   prepare({}, parts);
 }
@@ -74,7 +78,7 @@ void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixPart
 
 bool KeptMatrix::follow() {
   if (number_ == system_.matrices()) return false;
-  request(false);  // FEBio asks nobody after augmentations: it is there still
+  request(false);  // FEBio did not use the request for its matrix after an augmentation
   begin();
   return true;
 }
@@ -117,8 +121,8 @@ void KeptMatrix::request(bool is_needed) {
 
 void KeptMatrix::correct(const std::vector<Condition>& conditions, const MatrixParts& parts) {
   follow();
-  // With those of BFGS, which are for symmetric matrices, corrections stagnate; those of Broyden have solved for the
-  // residual before the correction.
+  // FEBio's updates are discarded: with BFGS, which is for symmetric matrices, corrections stagnate, and Broyden's
+  // updates have solved for the residual before the correction.
   served_.iterations += std::max(1, system_.drop_updates());
   prepare(conditions, parts);
 }
@@ -165,7 +169,7 @@ void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixP
     return border_.solution(solve, conditions, each);
   };
   const bool solves_anyway = !are_empty(parts) || !conditions.empty();
-  if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // to be checked
+  if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // solved only to check the row operations
   const SeenSweeps seen{reduction_, left_unseen * std::min(left_by_sweeps, system_.increment_tolerance())};
   finish(split(solve_with_conditions, parts, right, left_by_sweeps, seen), parts, conditions);
 }
@@ -193,7 +197,7 @@ void KeptMatrix::finish(Split split, const MatrixParts& parts, const std::vector
 void KeptMatrix::solve() {
   if (operations_.empty()) return;
   std::vector<double>& right = system_.solver().vectors().residual;
-  // FEBio's updates are made of right-hand sides that have taken nothing.
+  // FEBio's updates come from right-hand sides without row operations.
   served_.iterations += system_.drop_updates();
   taken_.resize(right.size());
   std::vector<double> changed = applied(operations_, right);
@@ -229,7 +233,7 @@ void KeptMatrix::accept() {
 
 void KeptMatrix::force_next() {
   if (!reform_augment_) reform_augment_ = std::exchange(system_.forms_matrix_after_augmentations(), true);
-  request(true);  // where a step begins
+  request(true);  // the next step then starts with a new matrix
 }
 
 void KeptMatrix::end_step() {

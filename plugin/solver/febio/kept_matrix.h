@@ -1,5 +1,5 @@
-/// The matrix of FEBio's Newton methods, which quasi-Newton methods keep for several iterations, and its corrections by
-/// contacts.
+/// The matrix of FEBio's solver over several iterations, and its corrections for contacts: conditions, deferred parts
+/// and row operations.
 #pragma once
 
 #include "solver/border.h"
@@ -16,111 +16,118 @@ class DumpStream;
 
 namespace newton {
 
+/// Corrects FEBio's right-hand side such that FEBio's solution with the present matrix also meets conditions and
+/// includes deferred parts.
 class KeptMatrix {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to the equation system.
   explicit KeptMatrix(const FEBioSystem& system) : system_(system) {}
 
-  /// FEBio has formed a new matrix, as announced. Solutions include these deferred parts.
+  /// Notes that FEBio has assembled a new matrix after an announcement. The next solution includes the deferred parts
+  /// `parts`.
   void formed(const MatrixParts& parts);
-  /// FEBio continues after an iteration. Solutions include the deferred parts, with a matrix that FEBio has formed
-  /// silently, and with one that it keeps at the start of iterations without updates.
+  /// Notes that FEBio continues after an iteration. The next solution includes the deferred parts, if FEBio has
+  /// assembled a matrix without an announcement, or if iterations begin with the same matrix without updates.
   void go_on(const MatrixParts& parts, bool begins);
-  /// The solution with these conditions and the present deferred parts; none if the system is singular or the matrix
-  /// allows no correction.
+  /// The solution with these conditions and the present deferred parts; empty if the system is singular or the matrix
+  /// cannot be corrected.
   std::optional<Answer> answer(const std::vector<Condition>& conditions);
-  /// Makes FEBio's next solution meet these conditions and no others: the right-hand side has changed with the
-  /// conditions.
+  /// Makes FEBio's next solution meet exactly these conditions, for a right-hand side that has changed with the
+  /// conditions. `answer`: result of answer() with these conditions.
   void hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer);
-  /// Whether contacts may add rows of the matrix to others.
+  /// True if row operations may be applied to the matrix.
   bool takes_operations() const { return !found_.loses_pivots; }
-  /// FEBio has formed a matrix to which contacts have applied these row operations.
+  /// Notes that these row operations have been applied to the matrix that FEBio has assembled.
   void take(RowOperations operations) { operations_ = std::move(operations); }
-  /// FEBio is about to solve: its right-hand side takes the same row operations until a trial.
+  /// Applies the row operations to FEBio's right-hand side before FEBio solves, until a trial.
   void solve();
-  /// Restores FEBio's right-hand side, which is about to change.
+  /// Restores FEBio's right-hand side, before it is changed.
   void give_back();
-  /// FEBio has made a trial of its solution. Restores its right-hand side.
+  /// Notes that FEBio has made a trial with this solution, and restores its right-hand side.
   void tried(const std::vector<double>& solution);
-  /// Whether parts were too large to be deferred. The matrix must include them from now on.
+  /// True if deferred parts were too large for stationary iteration, such that later matrices have to include them.
   bool needs_parts() const { return found_.needs_parts; }
-  /// Whether FEBio has to form a new matrix: after FEBio's limit of iterations, if the matrix allows no correction, or
-  /// if it must include the deferred parts.
+  /// True if FEBio has to assemble a new matrix: at FEBio's limit of iterations, if the matrix cannot be corrected, or
+  /// if it has to include the deferred parts.
   bool is_due();
-  /// An iteration with the matrix has ended. Returns whether too much of the residual remains for another one.
+  /// Notes that an iteration has ended. Returns true if it has left too much of the residual for another iteration with
+  /// this matrix.
   bool is_spent();
-  /// Requests a new matrix after this trial, or withdraws the request. Requests by others remain.
+  /// Requests a new matrix after this trial, or withdraws the request. Requests by others are not affected.
   void request(bool is_needed);
-  /// An iteration with the matrix has been corrected: the next one omits FEBio's updates and meets these conditions.
+  /// Notes that the linearisation has been corrected for another iteration with this matrix. The next solution omits
+  /// FEBio's updates and meets these conditions.
   void correct(const std::vector<Condition>& conditions, const MatrixParts& parts);
 
-  /// A converged state has been rejected, and the next iteration uses this matrix, corrected.
+  /// Notes that a converged state has been rejected, and that the next iteration uses this matrix with corrections.
   void keep_next() { restore(); }
-  /// A converged state has been accepted. The next augmentation or step forms a matrix if FEBio's settings require it,
-  /// or if this one had conditions.
+  /// Notes that a converged state has been accepted. The next augmentation or step gets a new matrix if FEBio's
+  /// settings require it, or if this matrix had conditions.
   void accept();
-  /// Makes FEBio form a matrix before the next iteration, also after an augmentation.
+  /// Makes FEBio assemble a matrix before the next iteration, also after an augmentation.
   void force_next();
-  /// A time step has been solved. Restores FEBio's own setting for matrices after augmentations, and resets the count
-  /// of spent matrices.
+  /// Ends a time step: restores FEBio's setting for matrices after augmentations, and resets the count of matrices
+  /// after which too much of the residual was left.
   void end_step();
 
   void serialize(DumpStream& ar);
 
  private:
-  /// The record of iterations with the matrix, and of the step's earlier ones.
+  /// The iterations with the matrix, and a count for the step.
   struct Served {
-    int iterations = 0;  ///< up to the last that was corrected
-    double left = 0;     ///< of the residual, by the last one; 0 before any
-    int spent = 0;       ///< matrices in this step with which corrections have left too much
+    int iterations = 0;  ///< number of iterations up to the last one that was corrected
+    double left = 0;     ///< norm of the residual after the last iteration; 0 before any
+    int spent = 0;       ///< number of matrices in this step for which is_spent() returned true
   };
-  /// The properties that matrices of the model have shown.
+  /// Properties of the model's matrices that have been found so far.
   struct Found {
-    bool needs_parts = false;   ///< deferred parts are too large
-    bool loses_pivots = false;  ///< factorisations fail after the row operations of contacts
+    bool needs_parts = false;   ///< true if deferred parts are too large for stationary iteration
+    bool loses_pivots = false;  ///< true if factorisations fail after row operations
   };
-  /// FEBio does not announce the matrices that it forms after augmentations, but counts all within a step. Returns
-  /// whether FEBio has formed a new one.
+  /// Detects a new matrix that FEBio has assembled without an announcement, as after augmentations, by FEBio's count of
+  /// matrices in the step. Returns true if there is one.
   bool follow();
-  /// Begins with a new matrix.
+  /// Resets the data of the last matrix.
   void begin();
-  /// Makes FEBio's next solution meet conditions, and include the deferred parts.
+  /// Changes FEBio's right-hand side such that the next solution meets conditions and includes the deferred parts.
   void prepare(const std::vector<Condition>& conditions, const MatrixParts& parts);
-  /// Makes FEBio's next solution meet conditions after the right-hand side has been split.
+  /// Changes FEBio's right-hand side for the result of a splitting, and such that the next solution meets conditions.
   void finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions);
-  /// The solution for a right-hand side that has taken the row operations of the matrix. If FEBio cannot solve, the
-  /// solution is zero, and the matrix allows no further correction.
+  /// The solution for a right-hand side to which the row operations have been applied. If FEBio cannot solve, it is
+  /// zero, and the matrix cannot be corrected any more.
   std::vector<double> solution_of_changed(std::vector<double> changed);
-  /// The solution for a right-hand side that has taken no row operations.
+  /// The solution for a right-hand side to which the row operations have not been applied.
   std::vector<double> solution(const std::vector<double>& right);
-  /// Restores the original rows if the row operations of contacts have lost pivots.
+  /// The solution for a right-hand side to which the row operations have not been applied. If row operations have
+  /// caused inaccurate pivots, it restores the rows of the matrix and solves again.
   std::vector<double> checked_solution(const std::vector<double>& right);
-  /// Factorises this and later matrices without row operations, and logs this once.
+  /// Reverses the row operations of this matrix, allows none for later matrices, and logs this once.
   void undo_operations();
-  /// Includes the deferred parts in later matrices, and logs this once.
+  /// Makes later matrices include the deferred parts, and logs this once.
   void take_parts_in();
+  /// Restores FEBio's setting for matrices after augmentations.
   void restore();
 
   const FEBioSystem& system_;
   Border border_;
-  int number_ = 0;  ///< of the matrix, as FEBio counts them in a step
-  Served served_;
-  bool is_requested_ = false;  ///< another one, by request()
-  bool may_correct_ = true;    ///< whether conditions can be held with it
+  int number_ = 0;             ///< number of the matrix in FEBio's count of the step
+  Served served_;              ///< iterations with this matrix
+  bool is_requested_ = false;  ///< true if request() has requested a new matrix
+  bool may_correct_ = true;    ///< true if the matrix can be solved with conditions
   Found found_;
   RowOperations operations_;
-  std::vector<double> taken_;             ///< part subtracted from the right-hand side until a trial
-  Split split_;                           ///< the split behind `taken_`, without conditions
-  MatrixParts split_parts_;               ///< of that, until there is a trial
-  double reduction_ = unknown_reduction;  ///< of splits, as the last trials have shown it
-  std::vector<double> free_;            ///< the solution without conditions, with parts as they stood, once it is known
-  std::optional<bool> reform_augment_;  ///< FEBio's own setting, while a matrix is forced
+  std::vector<double> taken_;             ///< part subtracted from FEBio's right-hand side until a trial
+  Split split_;                           ///< result of the splitting in `taken_`, without conditions
+  MatrixParts split_parts_;               ///< deferred parts of `split_`, until a trial
+  double reduction_ = unknown_reduction;  ///< reduction by a stationary iteration, as the last trials have shown
+  std::vector<double> free_;              ///< solution without conditions, with the deferred parts; empty if unknown
+  std::optional<bool> reform_augment_;    ///< FEBio's setting, while a matrix after augmentations is forced
 };
 
 /// Restores FEBio's right-hand side after a trial.
 class RightHandSide : public Helper {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to the matrix.
   explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
   void try_increment(const std::vector<double>& increment) override { matrix_.tried(increment); }
 

@@ -21,7 +21,7 @@ void append(SparseMatrixProfile::ColumnProfile& column, RowIntervals& rows) {
   for (int i = 0; i < column.size(); ++i) rows.push_back(column[i]);
 }
 
-/// Joins intervals that follow each other, given in the order of their starts.
+/// Joins adjacent and overlapping intervals, which are in the order of their starts.
 void join(RowIntervals& ascending) {
   if (ascending.empty()) return;
   auto last = ascending.begin();
@@ -42,7 +42,7 @@ void set_merged(const RowIntervals& one, const RowIntervals& two, RowIntervals& 
   join(both);
 }
 
-/// Sets `rows` to those of equations in any order. `sorted`: memory for these.
+/// Sets `rows` to the intervals of equations, which may be in any order. `sorted`: working memory.
 void set_intervals(Span<int> equations, std::vector<int>& sorted, RowIntervals& rows) {
   sorted.assign(equations.begin(), equations.end());
   std::sort(sorted.begin(), sorted.end());
@@ -53,7 +53,7 @@ void set_intervals(Span<int> equations, std::vector<int>& sorted, RowIntervals& 
   }
 }
 
-/// The equations that some have rows for in a profile, each once.
+/// The equations that the profile couples with any of the given equations, each once.
 std::vector<int> coupled_with(Span<int> equations, SparseMatrixProfile& profile) {
   RowIntervals all;
   for (const int equation : equations) append(profile.Column(equation), all);
@@ -65,13 +65,13 @@ std::vector<int> coupled_with(Span<int> equations, SparseMatrixProfile& profile)
   return found;
 }
 
-/// Columns that follow each other and stand in the same blocks, as those of one node mostly do.
+/// Successive columns that belong to the same blocks, as the columns of one node usually do.
 struct Columns {
   Index first;
   Index end;
 };
 
-/// Those that stand in any.
+/// All groups of successive columns that belong to the same blocks, except columns that belong to no block.
 IndexedVector<Columns> alike(const Lists<Index>& blocks_of) {
   const auto are_alike = [&](Index one, Index other) {
     return std::equal(blocks_of[one].begin(), blocks_of[one].end(), blocks_of[other].begin(), blocks_of[other].end());
@@ -86,7 +86,7 @@ IndexedVector<Columns> alike(const Lists<Index>& blocks_of) {
   return found;
 }
 
-/// What a thread remembers of columns, whose memory serves the next ones.
+/// Working memory of a thread for one group of columns; it is reused for the next group.
 struct ColumnMemory {
   RowIntervals rows;
   RowIntervals present;
@@ -136,7 +136,7 @@ void CoupledBlocks::add_sum(int row, const std::vector<int>& others) { sums_.pus
 
 void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
   if (sums_.empty()) return;
-  const Lists<int> sums_of(columns_, [&](const auto& add) {  // per row
+  const Lists<int> sums_of(columns_, [&](const auto& add) {  // per row, the rows that get its columns
     for (const auto& [row, others] : sums_) {
       for (const int other : lists_[others]) add(other, row);
     }
@@ -153,7 +153,7 @@ void CoupledBlocks::add_sums(SparseMatrixProfile& profile) {
 
 Lists<Index> CoupledBlocks::blocks_of_columns() const {
   return {columns_, [&](const auto& add) {
-            // Nodes of a body share equations: blocks have them more than once.
+            // Nodes of a rigid body share equations, so that a block may contain an equation several times.
             IndexedVector<Index> last(columns_, -1);
             for (Index block = 0; block < blocks_.count(); ++block) {
               for (const int column : lists_[blocks_[block].columns]) {

@@ -1,7 +1,8 @@
-/// Couplings of a contact in the profile of FEBio's matrix.
+/// Insertion of a contact's couplings into the profile of FEBio's matrix.
 ///
-/// FEBio inserts the rows of a block one by one, for every block that a column belongs to. The blocks of a contact
-/// overlap, since a node belongs to those of all nodes around it: here a column takes the union of its blocks at once.
+/// FEBio would insert the rows of each block one by one into each of its columns. The blocks of a contact overlap,
+/// because a node belongs to the blocks of all nodes around it. Here, each column gets the union of the rows of all its
+/// blocks at once.
 #pragma once
 
 #include "contact/base/lists.h"
@@ -12,53 +13,55 @@
 
 namespace newton {
 
-/// Rows of a column as FEBio's profile has them: intervals, ascending, none touching the next.
+/// The rows of a column in FEBio's profile: ascending intervals that do not touch each other.
 using RowIntervals = std::vector<SparseMatrixProfile::RowEntry>;
 
-/// Merges intervals in any order into the fewest ascending ones that cover the same rows.
+/// Merges intervals in any order into the fewest ascending ones with the same rows.
 void unite(RowIntervals& intervals);
 
-/// Blocks of equations that are coupled.
+/// Collects blocks of coupled equations for a profile.
 class CoupledBlocks {
  public:
-  /// Blocks of a matrix of that many columns.
+  /// Starts without blocks, for a matrix with this number of columns.
   explicit CoupledBlocks(int columns) : columns_(columns) {}
 
-  /// Takes a block of equations that all couple with each other. Entries below zero are left out; throws
-  /// std::out_of_range for others beyond the matrix.
+  /// Adds a block of equations that are all coupled with each other. Negative equations are ignored; throws
+  /// std::out_of_range for equations beyond the matrix.
   void add(const std::vector<int>& equations);
-  /// Takes one equation that couples with itself and with others, which do not couple with each other.
+  /// Adds the couplings of one equation with itself and with other equations, which are not coupled with each other.
   void add_star(int centre, const std::vector<int>& equations);
-  /// Takes rows that have entries in columns.
+  /// Adds entries of these rows in these columns.
   void add_rows(const std::vector<int>& rows, const std::vector<int>& columns);
-  /// Gives a row the columns of others, whose multiples are added to it later.
+  /// Adds to a row the columns of other rows, because row operations will add multiples of them.
   void add_sum(int row, const std::vector<int>& others);
-  /// Inserts all blocks. The couplings in the profile go both ways.
+  /// Inserts all couplings into the profile. Couplings already in the profile are symmetric.
   void insert_into(SparseMatrixProfile& profile);
 
  private:
   using Index = mixture_contact::Index;
-  /// Rows that have entries in columns, as lists of equations; either may hold one more than once.
+  /// Entries of rows in columns, by the numbers of the lists of their equations. A list may contain an equation more
+  /// than once.
   struct Block {
     Index columns;
     Index rows;
   };
-  /// A row that takes the columns of others.
+  /// A row that gets the columns of other rows.
   struct Sum {
     int row;
-    Index others;  ///< the list of them
+    Index others;  ///< number of the list of the other rows
   };
-  /// Extends blocks by rows that take the columns of theirs, and adds those that they have in the profile.
+  /// Extends the blocks by the rows of add_sum(), and adds the columns that the other rows already have in the profile.
   void add_sums(SparseMatrixProfile& profile);
-  /// Per column of the matrix the blocks that it belongs to, ascending, each once.
+  /// Per column of the matrix, the blocks that contain it, ascending and without repetition.
   mixture_contact::Lists<Index> blocks_of_columns() const;
-  /// Per block its rows.
+  /// Per block, the intervals of its rows.
   mixture_contact::Lists<SparseMatrixProfile::RowEntry> rows_of_blocks() const;
-  /// Keeps a list of those equations that are in the matrix, and returns its number.
+  /// Stores the equations that are in the matrix as a list. Returns the number of the list.
   Index list_of(const std::vector<int>& equations);
+  /// Throws std::out_of_range if an equation is beyond the matrix.
   void check(int equation) const;
 
-  int columns_;  ///< of the matrix
+  int columns_;  ///< number of columns of the matrix
   mixture_contact::Lists<int> lists_;
   mixture_contact::IndexedVector<Block> blocks_;
   mixture_contact::IndexedVector<Sum> sums_;

@@ -17,7 +17,7 @@ namespace newton {
 
 namespace {
 
-/// A column of a block: its equation and its place.
+/// A column of a block: its equation and its number in the block.
 using Column = std::pair<int, Index>;
 
 std::vector<Column> ascending(const std::vector<int>& equations) {
@@ -30,9 +30,9 @@ std::vector<Column> ascending(const std::vector<int>& equations) {
   return columns;
 }
 
-/// A row of the matrix.
+/// A row of FEBio's matrix.
 struct Row {
-  const int* columns = nullptr;  ///< ascending
+  const int* columns = nullptr;  ///< column indices, ascending
   int length = 0;
   double* values = nullptr;
 
@@ -47,8 +47,8 @@ Row row_of(CRSSparseMatrix& matrix, int equation) {
   return {matrix.Indices() + begin, end - begin, matrix.Values() + begin};
 }
 
-/// Finds the places of columns in a row, given those in another one, which are mostly the same. Throws std::logic_error
-/// where the row lacks one.
+/// Sets `places` to the positions of columns in a row. On entry, it contains their positions in another row, which are
+/// often the same. Throws std::logic_error if the row has no entry for a column.
 void find_places(const Row& row, const std::vector<Column>& order, int offset, std::vector<int>& places) {
   int place = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -63,12 +63,12 @@ void find_places(const Row& row, const std::vector<Column>& order, int offset, s
   }
 }
 
-/// Takes over the rows of a block that `is_own` tells.
+/// Subtracts the rows of a block for which `is_own` is true.
 template <class IsOwn>
 void subtract_rows(CRSSparseMatrix& matrix, const MatrixBlock& block, const std::vector<Column>& order,
                    const IsOwn& is_own) {
   std::vector<int> places(order.size(), 0);
-  Row last;  // the next one mostly has the same columns: it is of the same node
+  Row last;  // the next row usually has the same columns, because it belongs to the same node
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     if (block.rows[i] < 0 || !is_own(block.rows[i])) continue;
     const Row row = row_of(matrix, block.rows[i]);
@@ -92,21 +92,22 @@ void add(double factor, const Row& other, const Row& row) {
   }
 }
 
-/// Below this reciprocal condition unknowns do not follow from their own rows: half of the digits are lost.
+/// The smallest reciprocal condition number of the rows of unknowns. Below it, half of the digits are lost, and the
+/// rows do not determine the unknowns.
 constexpr double least_condition = 1e-8;
 
-/// By which factors rows of unknowns are to be added to a row, so that it has no entries in their columns; empty where
-/// those do not determine the unknowns.
+/// The factors on the rows of unknowns such that their sum with `row` has no entries in the columns of the unknowns;
+/// empty if the rows do not determine the unknowns.
 VectorXd eliminating(CRSSparseMatrix& matrix, const std::vector<int>& unknowns, int row) {
   const Index count = count_of(unknowns);
-  MatrixXd own(count, count);  // transposed
+  MatrixXd own(count, count);  // transposed block of the unknowns
   VectorXd entries(count);
   for (Index j = 0; j < count; ++j) {
     const int column = mixture_contact::at(unknowns, j);
     for (Index i = 0; i < count; ++i) own(j, i) = matrix.get(mixture_contact::at(unknowns, i), column);
     entries[j] = -matrix.get(row, column);
   }
-  // Displacements, pressures and concentrations have units of their own.
+  // The rows are scaled, because displacements, pressures and concentrations have different units.
   const auto scale_of = [](double diagonal) { return diagonal != 0 ? 1 / std::sqrt(std::abs(diagonal)) : 1; };
   const VectorXd scales = own.diagonal().unaryExpr(scale_of);
   const Eigen::PartialPivLU<MatrixXd> factors(scales.asDiagonal() * own * scales.asDiagonal());
@@ -114,24 +115,24 @@ VectorXd eliminating(CRSSparseMatrix& matrix, const std::vector<int>& unknowns, 
   return scales.cwiseProduct(factors.solve(scales.cwiseProduct(entries)));
 }
 
-/// By how much the diagonal of a row may grow. What it was is then known to this times the rounding error, 2e-11, and
-/// so is a load that follows from it.
+/// The largest growth of the diagonal of a row. The original diagonal is then known to this factor times the rounding
+/// error, 2e-11, and so is the load.
 constexpr double most_growth = 1e5;
 
-/// Whether the diagonal of a row would be lost in what it takes of others.
+/// True if the added rows are so large that the diagonal of the row would be lost in rounding.
 bool hides_diagonal(CRSSparseMatrix& matrix, const RowOperation& operation) {
   double taken = 0;
   for (const RowOperation::Term& term : operation.terms) taken += term.factor * matrix.get(term.row, operation.row);
   return !(std::abs(taken) <= most_growth * std::abs(matrix.get(operation.row, operation.row)));
 }
 
-/// Adds the terms of an operation to its row, or takes them away.
+/// Adds the terms of an operation to its row (`sign` 1), or subtracts them (-1).
 void add_terms(CRSSparseMatrix& matrix, const RowOperation& operation, double sign) {
   for (const RowOperation::Term& term : operation.terms)
     add(sign * term.factor, row_of(matrix, term.row), row_of(matrix, operation.row));
 }
 
-/// By which part of its entries a row, or its right-hand side, is off for a solution.
+/// The error of a row for a solution, relative to the sum of the absolute values of its terms.
 double error_of(const Row& row, int offset, const std::vector<double>& solution, double right) {
   double left = -right;
   double sizes = std::abs(left);
@@ -143,7 +144,7 @@ double error_of(const Row& row, int offset, const std::vector<double>& solution,
   return sizes > 0 ? std::abs(left) / sizes : 0;
 }
 
-/// Rows that follow each other and are one thread's: those of several nodes, which mostly lie together in memory.
+/// Number of successive rows that one thread processes: the rows of several nodes, which are mostly adjacent in memory.
 constexpr int rows_together = 64;
 
 }  // namespace

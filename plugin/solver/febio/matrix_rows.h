@@ -1,7 +1,8 @@
 /// Addition of dense blocks to a matrix that FEBio stores by rows.
 ///
-/// FEBio bisects the row for every entry of a block, and adds it by an atomic instruction. Columns of a row are
-/// ascending: with those of the block in the same order one walk along the row meets all of them.
+/// FEBio searches the row by bisection for every entry of a block, and adds the entry by an atomic operation. The
+/// columns of a row are ascending; if the columns of the block are sorted as well, a single pass along the row reaches
+/// all entries.
 #pragma once
 
 #include "contact/base/indexed_vector.h"
@@ -17,24 +18,27 @@ class FEGlobalMatrix;
 
 namespace newton {
 
+/// Direct access to the rows of FEBio's matrix.
 class MatrixRows {
  public:
-  /// Null if FEBio stores this matrix in another way.
+  /// Evaluates to false if FEBio does not store this matrix by rows.
   explicit MatrixRows(FEGlobalMatrix& matrix);
 
   explicit operator bool() const { return rows_ != nullptr; }
 
-  /// Subtracts blocks from the matrix, whose profile holds their places. Threads share the rows of the matrix: each row
-  /// takes its entries in the order of the blocks, so that sums do not depend on the number of threads.
+  /// Subtracts blocks from the matrix, whose profile has to contain all their entries. Threads share the rows of the
+  /// matrix. Each row adds its entries in the order of the blocks; sums therefore do not depend on the number of
+  /// threads.
   void subtract(const mixture_contact::IndexedVector<MatrixBlock>& blocks) const;
-  /// Adds multiples of the rows of unknowns to another row so that it has no entries in their columns. Returns none and
-  /// changes nothing if the row lacks an entry of theirs, if their rows do not determine them, or if rounding would
-  /// destroy the diagonal of the row.
+  /// Adds multiples of the rows of `unknowns` to `row` such that it has no entries in their columns. Returns the
+  /// operation. Returns nothing and changes nothing if the row's profile lacks a column of theirs, if their rows do not
+  /// determine the unknowns, or if rounding would destroy the diagonal of the row.
   std::optional<RowOperation> eliminate(const std::vector<int>& unknowns, int row) const;
-  /// Subtracts the rows of others from a row again.
+  /// Reverses a row operation.
   void undo(const RowOperation& operation) const;
-  /// Backward error of a solution: the largest relative change of a row of the matrix, or of its right-hand side, that
-  /// makes the solution exact (Oettli and Prager 1964, Numerische Mathematik 6, 405-409).
+  /// Backward error of a solution: the smallest relative change of a row of the matrix and its right-hand side for
+  /// which the solution would be exact, the largest one of all rows (Oettli and Prager 1964, Numerische Mathematik 6,
+  /// 405-409).
   double backward_error(const std::vector<double>& solution, const std::vector<double>& right) const;
 
  private:

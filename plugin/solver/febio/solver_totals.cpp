@@ -13,7 +13,8 @@
 
 namespace {
 
-/// Of the change per equation what belongs to some degrees of freedom, node by node, prescribed ones included.
+/// Sets `total` to the changes of some degrees of freedom, node by node and including prescribed ones, from the changes
+/// per equation.
 void gather(std::vector<double>& total, FEModel& fem, const std::vector<double>& change,
             std::initializer_list<int> dofs) {
   FEMesh& mesh = fem.GetMesh();

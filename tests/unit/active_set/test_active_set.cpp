@@ -10,12 +10,12 @@ using namespace test;
 
 namespace {
 
-/// Two facing unit squares whose distance a test changes between iterations.
+/// Two facing unit squares whose distance changes between iterations.
 struct Approach {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
 
-  /// `radius`: of the search; 0: facets look by themselves. `cells`: per side of the other square.
+  /// `radius`: search radius; 0: default search distance. `cells`: per side of the secondary square.
   explicit Approach(double overlap, const Effects& effects = effects_of(true, 1), double radius = 0, int cells = 2)
       : scene(facing_grids(FacetType::quad4, FacetType::quad4, overlap, 2, cells), effects,
               looking_as_far_as(radius, explicit_settings(4, 2, 8))),
@@ -23,7 +23,7 @@ struct Approach {
     contact->begin_iteration(scene.fields);
   }
 
-  /// Ends the iteration at another distance and begins the next one there. `slope`: by which the overlap grows with x.
+  /// Ends the iteration at another distance and begins the next one. `slope`: increase of the overlap with x.
   void move_to(double overlap, double slope = 0) {
     SurfaceFields& secondary = scene.fields[Side::secondary];
     secondary.position.row(2) = -(overlap + slope * secondary.position.row(0).array());
@@ -31,14 +31,14 @@ struct Approach {
     contact->begin_iteration(scene.fields);
   }
 
-  /// In contact where a step begins.
+  /// The number of nodes in contact at the start of a step.
   std::ptrdiff_t closed_where_a_step_begins() {
     contact->end_iterations();
     contact->begin_iteration(scene.fields);
     return closed();
   }
 
-  /// In contact, flux-coupled or not.
+  /// The number of nodes in contact, flux-coupled or not.
   std::ptrdiff_t closed() const {
     const std::vector<bool> nodes = contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields)).in_contact;
     return std::count(nodes.begin(), nodes.end(), true);
@@ -51,7 +51,7 @@ struct Approach {
 };
 
 constexpr std::ptrdiff_t all = 9;   // nodes of two by two facets
-constexpr double touching = 1e-12;  // below what counts as touching at the start of a step
+constexpr double touching = 1e-12;  // gap below the limit of touching at the start of a step
 
 }  // namespace
 
@@ -65,7 +65,8 @@ BOOST_AUTO_TEST_CASE(nodes_that_touch_at_the_start_are_in_contact_and_rounding_d
 BOOST_AUTO_TEST_CASE(nodes_enter_within_a_step_only_where_they_overlap) {
   Approach approach(-0.125);
   BOOST_TEST(approach.flux_coupled() == 0);
-  // Here neither status is wrong. To enter would change fluxes and pressure; the next step finds them touching.
+  // Neither status is wrong at these gaps. A change to contact would change fluxes and pressure; the next step begins
+  // with touching surfaces.
   for (const double overlap : {-touching, 0.0, 1e-16}) {
     approach.move_to(overlap);
     BOOST_TEST(approach.flux_coupled() == 0);
@@ -107,7 +108,8 @@ BOOST_AUTO_TEST_CASE(nodes_that_keep_changing_carry_load_but_are_not_flux_couple
 
 namespace {
 
-/// An active set in which node 0 comes and goes until it is at the edge, and node 1 comes in the last of these changes.
+/// An active set in which node 0 opens and closes until it is at the edge, and node 1 closes in the last of these
+/// changes.
 struct Edge {
   Approach approach{0.125};
   ActiveSet active_set{approach.contact->pass(0).laws()};
@@ -115,7 +117,7 @@ struct Edge {
 
   Edge() { active_set.start_counting(); }
 
-  /// Returns whether node 0 is flux-coupled at the end.
+  /// Returns true if node 0 is flux-coupled at the end.
   bool come_and_go(bool with_another) {
     NodeFlags before(all, true);
     ContactStatus status;
@@ -215,7 +217,7 @@ BOOST_AUTO_TEST_CASE(an_attempt_after_a_failed_one_begins_with_all_overlapping_p
   NodalLaws& laws = approach.contact->pass(0).laws();
   std::ptrdiff_t overlapped = 0;
   std::ptrdiff_t closed = 0;
-  // The middle stands up until its own average overlaps, and those of the nodes around it do not.
+  // The middle node is raised until its own average overlaps, but not the averages of the nodes around it.
   for (int n = 0; n < 20 && closed == overlapped; ++n) {
     approach.scene.fields[Side::primary].position(2, 4) += 0.1;
     approach.contact->project(approach.scene.position());

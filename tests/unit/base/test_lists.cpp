@@ -13,7 +13,7 @@ Numbers entries_of(const Lists<int>& lists, Index list) {
   return {entries.begin(), entries.end()};
 }
 
-/// Entries of lists in an order of their own.
+/// Entries of several lists in mixed order.
 const std::vector<std::pair<Index, int>> unordered{{2, 20}, {0, 1}, {2, 21}, {0, 2}, {2, 22}};
 
 }  // namespace

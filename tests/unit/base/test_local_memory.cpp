@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t bytes = 64 * sizeof(double);
 
-/// Whether a number lies within an object.
+/// True if a number is stored within an object.
 template <class Object>
 bool is_within(const double& number, const Object& object) {
   const auto address = reinterpret_cast<std::uintptr_t>(&number);

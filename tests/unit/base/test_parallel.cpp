@@ -1,4 +1,4 @@
-// Threads: the same bits for any number of them.
+// Tests that results are the same to the bit for any number of threads.
 #include "contact/base/in_order.h"
 #include "surfaces.h"
 
@@ -23,7 +23,7 @@ void use_threads([[maybe_unused]] int threads) {
 #endif
 }
 
-/// A step of a contact: search, status, residual, tangent and output, one after the other.
+/// All results of a step of a contact: search, status, residual, tangent and output.
 VectorXd answers(const Scene& scene, int threads) {
   use_threads(threads);
   const GlobalLayout layout(scene);

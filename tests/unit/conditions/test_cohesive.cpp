@@ -11,7 +11,7 @@ namespace {
 constexpr double penalty = 50;
 const Cohesive law{{{1, 1.5}, 2.3}, {0.1, 0.3}};
 
-/// Gap vector and normal in one vector.
+/// Gap vector and normal as one vector.
 VectorXd packed(const Vector3d& gap, const Vector3d& normal) { return (VectorXd(6) << gap, normal).finished(); }
 
 BondLoad load_at(const VectorXd& q, double damage, const Cohesive& of = law) {
@@ -21,10 +21,10 @@ BondLoad load_at(const VectorXd& q, double damage, const Cohesive& of = law) {
 const Vector3d normal = Vector3d(1, -2, 2) / 3;
 const Vector3d tangent = Vector3d(2, 2, 1) / 3;
 
-/// An opening of this size in a mode B.
+/// A gap vector of this size with the mode B.
 Vector3d opening(double size, double mode) { return size * (std::sqrt(1 - mode) * normal + std::sqrt(mode) * tangent); }
 
-/// o and f, as section 13 of the design has them.
+/// The openings o and f from their definitions.
 std::pair<double, double> range(double mode) {
   const double power = std::pow(mode, law.strength.mixing);
   const double strength = std::sqrt(1 + (1.5 * 1.5 - 1) * power);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(viscosity_has_damage_lag_by_the_part_of_the_step_and_takes_
   BOOST_TEST(std::abs(load.damage - end * (r - begin) / (r * (end - begin))) < rounding);
   BOOST_TEST(load_at(packed(opening(first + 1.01 / pace * (end - first), mode), normal), damage, slow).damage == 1.0);
 
-  // K (lambda^2 - r^2)/2 dd as a sum over small parts of the step, by the midpoint rule.
+  // The integral of K (lambda^2 - r^2)/2 dd by the midpoint rule with small parts of the step.
   const double from = first + 0.1 * (size - first);
   const int parts = 2000;
   const auto followed = [&, first = first](double part) { return first + part * (r - first); };
@@ -116,8 +116,8 @@ BOOST_AUTO_TEST_CASE(viscosity_has_damage_lag_by_the_part_of_the_step_and_takes_
   BOOST_TEST(std::abs(lost.by_damage - plain.by_damage) < rounding);
 }
 
-// Lengths of the law, o = 0.02 and more, are well below 1: differences without the error of second order, of a step
-// that much smaller.
+// Lengths of the law (o = 0.02 and more) are well below 1. The differences therefore have a smaller step and no error
+// of second order.
 BOOST_AUTO_TEST_CASE(derivatives_match_differences_as_damage_grows_and_as_it_stays) {
   std::mt19937 random(11);
   const double scale = 0.02;
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_brittle_bond_breaks_beyond_its_strength_in_each_mode_and_
   BOOST_TEST(exceeds(bond, 3.001 * tangent, normal));
   BOOST_TEST(!exceeds(bond, -50 * normal, normal));
   BOOST_TEST(exceeds(bond, -50 * normal + 3.001 * tangent, normal));
-  const double mixed = std::sqrt(2 / (1 / 4.0 + 1 / 9.0));  // equal parts of both
+  const double mixed = std::sqrt(2 / (1 / 4.0 + 1 / 9.0));  // equal parts of tension and shear
   const Vector3d direction = (normal + tangent) / std::sqrt(2.0);
   BOOST_TEST(!exceeds(bond, 0.999 * mixed * direction, normal));
   BOOST_TEST(exceeds(bond, 1.001 * mixed * direction, normal));

@@ -20,10 +20,10 @@ FrictionRule rule_of(double coefficient, double contact_fraction) {
 BOOST_AUTO_TEST_CASE(the_bound_is_the_coefficient_times_what_the_solid_bears) {
   BOOST_TEST(friction_bound(rule_of(0.3, 0), -2, 0).value == 0.6);
   BOOST_TEST(friction_bound(rule_of(0.5, 0), -2, 1.5).value == 0.25);
-  BOOST_TEST(friction_bound(rule_of(0.5, 1), -2, 1.5).value == 1.0);    // no load is the fluid's
+  BOOST_TEST(friction_bound(rule_of(0.5, 1), -2, 1.5).value == 1.0);    // the fluid bears no load
   BOOST_TEST(friction_bound(rule_of(0.5, 0.5), -2, -1).value == 1.25);  // suction presses the solids together
   BOOST_TEST(friction_bound(rule_of(0.5, 0), -2, 2.5).value == 0.0);    // never negative
-  BOOST_TEST(friction_bound(rule_of(0.5, 0), 1, 0).value == 0.0);       // nor where nodes pull
+  BOOST_TEST(friction_bound(rule_of(0.5, 0), 1, 0).value == 0.0);       // also zero in tension
 }
 
 BOOST_AUTO_TEST_CASE(the_linear_bound_is_the_same_where_the_solids_are_pressed_and_goes_on_below_zero) {
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(the_bound_at_first_touch_is_no_quotient) {
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_the_bound_match_differences) {
-  // Piecewise linear: differences are exact to rounding over the step, away from the kink.
+  // The bound is piecewise linear: away from the kink, differences are exact up to rounding divided by the step.
   const double tolerance = 100 * std::numeric_limits<double>::epsilon() / difference_step;
   std::mt19937 random(3);
   for (int sample = 0; sample < 100; ++sample) {

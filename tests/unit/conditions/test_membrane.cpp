@@ -14,7 +14,7 @@ namespace {
 constexpr double conductance = 0.5;
 constexpr double thermal_energy = 0.25;
 
-/// Solvent and two solutes at one node.
+/// Jumps and values of a solvent and two solutes at one node.
 struct AtNode {
   NodalLoads loads;
 
@@ -44,7 +44,7 @@ VectorXd numbers(double pressure, double one, double two) {
   return all;
 }
 
-/// Largest difference of a flux's derivatives from central differences.
+/// Largest difference between a flux's derivatives and central differences.
 double derivative_error(const ScalarCondition& condition, const AtNode& at) {
   constexpr double step = 1e-5;
   const FluxLaw law = condition.flux(at.loads, 0, {});
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(an_ideal_semipermeable_film_passes_solvent_by_the_effective
 }
 
 BOOST_AUTO_TEST_CASE(solutes_that_a_film_lets_pass_drive_no_osmosis) {
-  // [p~] + R T [c~] = 0: the pressures of the solutions in equilibrium with both sides are equal.
+  // For [p~] + R T [c~] = 0, the solutions in equilibrium with both sides have equal pressures.
   const AtNode at(numbers(-thermal_energy * 2, 2, 4), numbers(1, 3, 5));
   BOOST_TEST(flux(film(1, 0), 0, at) == 0.0);
 }
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(fluxes_know_what_drives_them) {
   BOOST_TEST(reflected[1]->drivers() == only(1));
 }
 
-/// The profile within the film: -P c' + s c = j over the unit thickness, c(0) = c1, c(1) = c2.
+/// The profile within the membrane satisfies -P c' + s c = j over the unit thickness, with c(0) = c1 and c(1) = c2.
 BOOST_AUTO_TEST_CASE(a_carried_solute_has_the_flux_of_the_film_s_own_profile) {
   constexpr double permeance = 0.75;
   constexpr double reflection = 0.25;
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(a_slow_flow_carries_the_mean_of_both_sides) {
   rule.thermal_energy = 0;
   const double w = flux(rule, 0, at);
   BOOST_TEST(std::abs(flux(rule, 1, at) - 3 * w) <= 1e-9 * w);
-  BOOST_TEST(std::abs(flux(rule, 1, apart) - (2 + 2 * w)) <= w * w);  // P [c] + <c> w, less [c] w^2/(12 P)
+  BOOST_TEST(std::abs(flux(rule, 1, apart) - (2 + 2 * w)) <= w * w);  // P [c] + <c> w, up to [c] w^2/(12 P)
 }
 
 BOOST_AUTO_TEST_CASE(a_solute_is_not_carried_where_no_solvent_crosses) {
@@ -163,7 +163,8 @@ BOOST_AUTO_TEST_CASE(no_flux_produces_less_than_no_entropy) {
 }
 
 BOOST_AUTO_TEST_CASE(fluxes_of_films_have_their_derivatives) {
-  // Flows over the permeance from 1e-5, where B is a series, to 500, where one side has no say.
+  // The ratio of flow to permeance goes from 1e-5, where B is evaluated as a series, to 500, where only one side
+  // determines the flux.
   std::mt19937 random(11);
   for (const double pressure : {-500.0, -1.0, -1e-5, 0.0, 1e-5, 2e-3, 1.0, 500.0}) {
     const AtNode at(numbers(pressure, 1e-6, 0.5), numbers(0.5, 3, 5));

@@ -7,13 +7,13 @@
 
 using namespace mixture_contact;
 
-// All numbers here are sums of powers of two, so that every operation is exact.
+// All numbers in these tests are sums of powers of two, for which every operation is exact.
 
 namespace {
 
 constexpr double penalty = 4;
 
-/// t_n of a node that begins with a gap.
+/// The normal traction of a node that begins with a gap.
 LawValue unilateral(double lambda, double gap, double touch = 0) {
   const LawValue trial = augmented(lambda, penalty, gap);
   return NormalCondition::load(trial, Unilateral().begins(trial, touch));

@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(explicit_penalties_are_taken_as_they_are) {
   BOOST_TEST((result.traction.array() == 1400).all());
   BOOST_TEST((result.flux.row(0).array() == 1e-3).all());
   BOOST_TEST((result.flux.row(1).array() == 4e-4).all());
-  check_close(result.stiffness[0], in_series(1, 3));  // what gaps are measured against stays that of the elements
+  check_close(result.stiffness[0], in_series(1, 3));  // the scale of gaps remains the stiffness of the elements
 }
 
 BOOST_AUTO_TEST_CASE(the_solvent_conducts_at_least_a_part_of_what_elements_store_in_a_time_step) {
@@ -91,7 +91,8 @@ BOOST_AUTO_TEST_CASE(the_solvent_conducts_at_least_a_part_of_what_elements_store
   const double stored = 0.5 / 1e-9;
   check_close(sides.result().conductance(0, 0), storage_part * stored);
   BOOST_TEST((sides.result().conductance.row(1) == steady.conductance.row(1)));
-  // Times the default factor it leaves as much of the pressure as that of the traction leaves of the overlap.
+  // The default factor of fluxes times this part leaves the same fraction of the pressure as the default factor of the
+  // traction leaves of the overlap.
   check_close(storage_part * default_flux_factor, default_traction_factor);
 }
 

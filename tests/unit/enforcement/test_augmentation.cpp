@@ -19,7 +19,7 @@ Scene loaded_scene() {
   return scene;
 }
 
-/// The same with the secondary surface lifted.
+/// The fields of a scene with the secondary surface raised.
 PerSide<SurfaceFields> lifted(const Scene& scene, double height) {
   PerSide<SurfaceFields> fields = scene.fields;
   fields[Side::secondary].position.row(2).array() += height;
@@ -30,8 +30,8 @@ PerSide<Matrix3Xd> positions(const PerSide<SurfaceFields>& fields) {
   return {{fields[Side::primary].position, fields[Side::secondary].position}};
 }
 
-/// Two conductors in series whose ends next to each other are the two surfaces of a contact, for one solute.
-/// Conductance of the first 3, of the second 0.75, area 1, values at the far ends 1 and 0; no storage.
+/// Two conductors in series for one solute, whose adjacent ends are the surfaces of a contact. Conductances are 3 and
+/// 0.75, the area is 1, and the values at the far ends are 1 and 0; there is no storage.
 struct Conductors {
   static constexpr double first = 3;
   static constexpr double second = 0.75;
@@ -49,13 +49,14 @@ struct Conductors {
     contact = scene.contact();
   }
 
-  /// Flow through the contact with the given values on its two sides.
+  /// The flow through the contact with these values on its two sides.
   double flow(double one, double two) {
     scene.set_field(0, one, two);
     return output(*contact, scene.fields).balance.flow[0];
   }
 
-  /// Finds the values at which the contact passes on what each conductor brings: linear, from the flow at two states.
+  /// Finds the values at which the flows through contact and conductors are equal, from the flow at two states, which
+  /// is linear in them.
   void solve() {
     const double start = flow(0, 0);
     const double slope = flow(1, 0) - start;
@@ -67,8 +68,8 @@ struct Conductors {
   double jump() const { return contact->gaps(scene.fields).flux[0].largest; }
 };
 
-/// Scene in other units: lengths, pressures and concentrations (then moles per volume) multiplied by the factors; time
-/// is kept.
+/// The scene in other units: lengths, pressures and concentrations (moles per volume) are multiplied by factors, times
+/// are not.
 Scene in_units(const Scene& scene, double length, double pressure, double concentration) {
   Scene scaled = scene;
   for (const Side side : both_sides) {
@@ -102,7 +103,7 @@ BOOST_AUTO_TEST_CASE(multipliers_take_over_the_load) {
 
 BOOST_AUTO_TEST_CASE(a_second_augmentation_adds_the_load_of_the_remaining_gap) {
   Scene scene = loaded_scene();
-  scene.settings.tolerances = {off, off, off, {}};  // everything converged: no growth
+  scene.settings.tolerances = {off, off, off, {}};  // all errors meet the tolerances, so penalties do not grow
   const auto contact = scene.contact();
   contact->augment(scene.fields);
   contact->augment(scene.fields);
@@ -115,7 +116,8 @@ BOOST_AUTO_TEST_CASE(nodes_that_bear_load_in_a_solution_stay_in_contact_after_it
   scene.settings.tolerances = {off, off, off, {}};
   const auto contact = scene.contact();
   contact->augment(scene.fields);
-  // A third of the load is left where the penalty pulls by the rest, so that the next trials pull.
+  // A third of the load remains at the overlap at which the penalty cancels the other two thirds; the next trials are
+  // then tensile.
   const double load = contact->pass(0).laws().multipliers.traction[0];
   const double penalty = contact->pass(0).laws().traction_penalty(0);
   const double overlap = contact->pass(0).space().gaps().gap[0];
@@ -198,7 +200,8 @@ BOOST_AUTO_TEST_CASE(a_small_penalty_closes_a_jump_in_ten_augmentations) {
 }
 
 BOOST_AUTO_TEST_CASE(without_growth_the_same_penalty_would_need_a_hundred_thousand) {
-  // Plain Uzawa shrinks the jump by k/(k + eps) per augmentation, k the conductance of the two bodies in series.
+  // Uzawa's method without larger penalties reduces the jump by k/(k + eps) per augmentation, where k is the
+  // conductance of the bodies in series.
   Conductors conductors(1e-4);
   conductors.solve();
   for (int augmentation = 0; augmentation < 5; ++augmentation) {
@@ -206,7 +209,7 @@ BOOST_AUTO_TEST_CASE(without_growth_the_same_penalty_would_need_a_hundred_thousa
     conductors.contact->augment(conductors.scene.fields);
     conductors.contact->pass(0).laws().multipliers.flux_penalty_scale.setOnes();
     conductors.solve();
-    // The solution loses digits to 1 + slope/k, slope 1e-4 k being itself a difference of flows of size 1.
+    // The solution loses digits in 1 + slope/k, where the slope 1e-4 k is a difference of flows of size 1.
     check_close(conductors.jump() / before, 1 / (1 + 1e-4), 1e-10);
   }
   BOOST_TEST(std::log(1e10) / std::log1p(1e-4) > 1e5);
@@ -228,7 +231,8 @@ BOOST_AUTO_TEST_CASE(growth_stops_at_the_accurate_penalty_and_never_shrinks) {
 
 BOOST_AUTO_TEST_CASE(fields_that_meet_their_tolerance_keep_their_penalty) {
   Scene scene = loaded_scene();
-  scene.settings.tolerances = {{0, 1e-3}, {0, 1}, {0, 1e-3}, {}};  // gap and solute miss theirs, the solvent does not
+  // Gap and solute exceed their tolerances, the solvent does not.
+  scene.settings.tolerances = {{0, 1e-3}, {0, 1}, {0, 1e-3}, {}};
   const auto contact = scene.contact();
   contact->augment(scene.fields);
   BOOST_TEST(contact->pass(0).laws().multipliers.traction_penalty_scale == 10.0);
@@ -246,7 +250,7 @@ BOOST_AUTO_TEST_CASE(impermeable_facets_do_not_keep_the_others_from_growing) {
   contact->augment(scene.fields);
   BOOST_TEST(contact->pass(0).laws().multipliers.flux_penalty_scale[1] == 10.0);
   for (int augmentation = 0; augmentation < 30; ++augmentation) contact->augment(scene.fields);
-  // What grows is the factor on all penalties of the field, until the smallest is accurate.
+  // The factor on all penalties of the field grows until the smallest penalty is accurate.
   const Penalties& penalty = contact->pass(0).penalty();
   const Eigen::ArrayXd flux = penalty.flux.row(1);
   const double smallest = (flux > 0).select(flux, flux.maxCoeff()).minCoeff();
@@ -255,7 +259,7 @@ BOOST_AUTO_TEST_CASE(impermeable_facets_do_not_keep_the_others_from_growing) {
 }
 
 BOOST_AUTO_TEST_CASE(gaps_are_measured_against_the_drop_across_the_adjoining_elements) {
-  // In penalty mode a load eps g over the stiffness k closes the elements by eps g / k: the relative gap is k/eps.
+  // In penalty mode, a load eps g over the stiffness k shortens the elements by eps g/k; the relative gap is k/eps.
   Scene scene = loaded_scene();
   for (const Side side : both_sides) {
     scene.mesh[side].stiffness.setConstant(0.5);
@@ -280,7 +284,7 @@ BOOST_AUTO_TEST_CASE(relative_gaps_do_not_depend_on_the_units) {
     for (const double pressure : {1e3, 1e-6}) {
       for (const double concentration : {1e3, 1e-6}) {
         const GapReport report = report_of(in_units(scene, length, pressure, concentration));
-        // Gaps of 0.05 to 0.15 are differences of coordinates of size 1, which costs a digit or two.
+        // Gaps of 0.05 to 0.15 are differences of coordinates of size 1 and have one or two digits less.
         constexpr double tolerance = 20 * rounding;
         check_close(report.traction.relative, reference.traction.relative, tolerance);
         check_close(report.flux[0].relative, reference.flux[0].relative, tolerance);
@@ -338,7 +342,7 @@ BOOST_AUTO_TEST_CASE(each_tolerance_guards_its_own_field) {
   BOOST_TEST(!meets(report, {off, {0, 1.9}, off, {}}, effects));
   BOOST_TEST(!meets(report, {off, off, {0.29, 0}, {}}, effects));
   BOOST_TEST(!meets(report, {off, off, {0, 2.9}, {}}, effects));
-  // Without a solvent both fields are solutes.
+  // Without a solvent, both fields are solutes.
   BOOST_TEST(meets(report, {off, {0, 0.1}, {0, 3}, {}}, effects_of(false, 2)));
   BOOST_TEST(!meets(report, {off, off, {0, 1.9}, {}}, effects_of(false, 2)));
 }
@@ -371,7 +375,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_touch_without_a_load_are_converged) {
 }
 
 BOOST_AUTO_TEST_CASE(a_pressure_that_nothing_drives_is_converged_at_any_tolerance) {
-  // What solvers leave of a pressure that is zero: noise of the size of its rounding, as large as its own jumps.
+  // The remaining values of a pressure that is zero: noise of the size of rounding, as large as its jumps.
   for (const Enforcement enforcement : {Enforcement::augmented_lagrangian, Enforcement::lagrange_multipliers}) {
     Scene scene = loaded_scene();
     scene.settings.enforcement = enforcement;
@@ -382,7 +386,7 @@ BOOST_AUTO_TEST_CASE(a_pressure_that_nothing_drives_is_converged_at_any_toleranc
     BOOST_TEST(is_converged(*contact, contact->gaps(scene.fields)));
     scene.set_field(0, -1e-17, 4e-17);
     BOOST_TEST(contact->is_solution(scene.fields));
-    scene.set_field(0, 3e-9, -2e-9);  // and one that counts
+    scene.set_field(0, 3e-9, -2e-9);  // larger than rounding
     BOOST_TEST(!is_converged(*contact, contact->gaps(scene.fields)));
   }
 }
@@ -437,7 +441,7 @@ BOOST_AUTO_TEST_CASE(a_penalty_grows_to_what_meets_the_relative_tolerance_withou
   const Multipliers& state = contact->pass(0).laws().multipliers;
   check_close(0.25 * state.traction_penalty_scale, 1 / 0.2, rounding);
   check_close(0.25 * state.flux_penalty_scale[0], 1 / 0.05, rounding);
-  // A largest jump in the field's unit says nothing of a multiple.
+  // A largest jump, which has a unit, does not limit the multiple.
   check_close(0.25 * state.flux_penalty_scale[1], default_flux_factor, rounding);
 }
 
@@ -452,13 +456,13 @@ BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_tha
   const ContactPass& pass = contact->pass(0);
   NodalLoads loads = pass.nodal_loads(fields);
   loads.friction.traction.row(0).setConstant(1e-3);
-  loads.friction.slip.row(2).setConstant(0.1);  // the surfaces lie in the plane z = 0
+  loads.friction.slip.row(2).setConstant(0.1);  // the surfaces are in the plane z = 0
   BOOST_TEST(measure_gaps(pass.laws(), loads, fields).slip.largest <= rounding);
   loads.friction.slip.row(1).setConstant(0.1);
   check_close(measure_gaps(pass.laws(), loads, fields).slip.largest, 0.1, rounding);
 }
 
-/// A contact with an accepted step, and its tractions where a step with a reduced penalty begins.
+/// A contact with an accepted step, and its tractions at the start of a step with a reduced penalty.
 struct Accepted {
   Scene scene = loaded_scene();
   std::unique_ptr<ContactInterface> contact;
@@ -500,7 +504,7 @@ BOOST_AUTO_TEST_CASE(loads_that_a_reduced_penalty_does_not_bear_fade) {
   constexpr double divisor = 10;
   Accepted accepted;
   for (const double kept : {1.0, 0.25, 0.0}) {
-    // The gaps are those of the full penalty.
+    // The gaps are those under the full penalty.
     const VectorXd expected = (kept + (1 - kept) / divisor) * accepted.traction;
     BOOST_TEST((accepted.with({divisor, kept}) - expected).norm() <= rounding * accepted.traction.norm());
   }

@@ -1,4 +1,5 @@
-// Surfaces that cannot move: contact is linear transport, and the same as that of surfaces that could.
+// Tests of surfaces that cannot move: their contact is linear transport, with the same results as for surfaces that can
+// move.
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -9,7 +10,7 @@ using namespace test;
 
 constexpr double dt = 0.5;
 
-/// Overlapping, disturbed surfaces with random fields, and with or without exchange of traction.
+/// Overlapping, disturbed surfaces with random fields, with or without exchange of traction.
 Scene overlapping(FacetType one, FacetType two, Settings settings = {}) {
   std::mt19937 random(1);
   Scene scene(facing_grids(one, two, 0.2, 3, 2), effects_of(true, 2), settings);
@@ -22,7 +23,7 @@ Scene with_fixed_geometry(Scene scene) {
   return scene;
 }
 
-/// Entries of all fields at all nodes.
+/// Entries of all fields at all nodes in the global layout.
 std::vector<Index> field_entries(const GlobalLayout& layout) {
   std::vector<Index> entries;
   for (const Side side : both_sides) {

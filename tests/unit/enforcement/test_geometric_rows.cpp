@@ -1,4 +1,4 @@
-/// The geometric part of the tangent by nodes: what pairs of facets have, but for weak couplings.
+/// Tests of the geometric part of the tangent by nodes: it equals the sum of the pairs except for weak couplings.
 #include "enforcement/geometric_rows.h"
 
 #include "surfaces.h"
@@ -11,7 +11,7 @@ using namespace test;
 
 namespace {
 
-/// Overlapping surfaces and what their pairs of facets have, with the loads that overlap and jumps make.
+/// Overlapping surfaces and the geometric tangents of their pairs, with the loads of overlaps and jumps.
 struct Overlap {
   explicit Overlap(const Effects& effects, FacetType type = FacetType::tri3)
       : scene(facing_grids(type, FacetType::tri3, 0.2, 3, 2), effects) {
@@ -58,12 +58,12 @@ struct Overlap {
   GeometricParts pairs;
 };
 
-/// Rounding of sums of a few dozen terms that cancel, against the largest of them.
+/// Rounding error of sums of a few dozen terms that cancel, relative to the largest term.
 double rounding_of(const MatrixXd& values) {
   return 100 * std::numeric_limits<double>::epsilon() * values.cwiseAbs().maxCoeff();
 }
 
-/// As large as the largest coupling.
+/// A limit of weak couplings that includes all couplings.
 constexpr double everything = 1;
 
 Index couplings(const NodeRows& rows) {
@@ -127,7 +127,8 @@ BOOST_AUTO_TEST_CASE(nodes_of_one_surface_keep_all_couplings) {
 }
 
 BOOST_AUTO_TEST_CASE(a_flat_facet_carries_the_same_load_however_it_is_cut) {
-  // The forces at its nodes do not depend on those that it faces: on triangles the rule of the pieces is exact.
+  // The forces at the nodes do not depend on the opposite nodes, because the quadrature on the pieces is exact for
+  // triangles.
   const Overlap overlap(effects_of(false, 0), FacetType::tri3);
   const MatrixXd all = overlap.sum(overlap.rows(0));
   Index inner = 0;

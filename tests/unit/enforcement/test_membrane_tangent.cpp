@@ -15,14 +15,14 @@ Settings with_film(Settings settings) {
   return settings;
 }
 
-/// Fields whose concentrations are positive, and nodes that are all in contact.
+/// A scene with positive concentrations and all nodes in contact.
 Scene film_scene(FacetType one, FacetType two, const Settings& settings, std::mt19937& random) {
   Scene scene(facing_grids(one, two, 0.08, 1, 2), effects_of(true, 2), with_film(settings));
   scene.disturb(0.02, random);
   return scene;
 }
 
-/// Relative error of the tangent, multipliers included, of a contact with the status of its nodes held.
+/// Relative error of a contact's tangent, including multipliers, with constant contact status.
 double film_tangent_error(const Scene& scene, std::mt19937& random) {
   const auto contact = scene.contact();
   accept_any_load(*contact);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_of_a_film_between_fixed_surfaces_matches_differ
       all << fields, layout.multipliers.size() > 0 ? unknown_multipliers(*contact) : VectorXd();
       return assembled_residual(*contact, layout, layout.unpack(all), 0.3);
     };
-    // Positions have no rows and no columns here.
+    // Positions have no rows and columns in this tangent.
     const MatrixXd approximate = differences(residual, q);
     const MatrixXd exact = assembled_tangent(*contact, layout, scene.fields, 0.3).leftCols(q.size());
     BOOST_TEST((exact - approximate).norm() <= 1e-7 * exact.norm());

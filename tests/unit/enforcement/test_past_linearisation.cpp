@@ -1,4 +1,4 @@
-/// What a linearisation takes over from the last one: around nodes where nothing has changed, and nowhere else.
+/// Tests which parts of a linearisation are reused: those around nodes where nothing has changed, and no others.
 #include "enforcement/both_parts.h"
 #include "interface/past_iterations.h"
 #include "surfaces.h"
@@ -12,7 +12,7 @@ using namespace test;
 
 namespace {
 
-/// By what part things may change.
+/// Relative change up to which a linearisation is reused.
 constexpr double same = 1e-3;
 
 /// A linearisation with its geometric part.
@@ -23,7 +23,7 @@ struct Both {
   PastLinearisation past() const { return {point, geometric}; }
 };
 
-/// Overlapping grids, and linearisations at points of them.
+/// Overlapping grids, and linearisations of their contact.
 struct Overlap {
   explicit Overlap(const Effects& effects = effects_of(false, 0)) : scene(grids(), effects) {
     std::mt19937 random(2);
@@ -36,7 +36,7 @@ struct Overlap {
   const MortarSpace& space() const { return contact->pass(0).space(); }
   FacingFields fields() const { return seen_from(Side::primary, scene.fields); }
 
-  /// With the loads that overlap and jumps make, and all nodes in contact.
+  /// A point with the loads of overlaps and jumps, and all nodes in contact.
   LinearisationPoint point() const {
     LinearisationPoint point;
     point.loads = contact->pass(0).nodal_loads(fields());
@@ -63,7 +63,7 @@ struct Overlap {
 
 Index count(const NodeFlags& nodes) { return std::count(nodes.begin(), nodes.end(), true); }
 
-/// A node amid the primary surface.
+/// A node in the middle of the primary surface.
 constexpr Index inner = (Overlap::cells + 1) * (Overlap::cells / 2) + Overlap::cells / 2;
 
 bool are_equal(const TangentBlock& one, const TangentBlock& other) {
@@ -85,7 +85,7 @@ bool are_equal(const std::optional<GeometricTangent>& one, const std::optional<G
              [](const FluxTangent& a, const FluxTangent& b) { return are_equal(with_values(a), with_values(b)); });
 }
 
-/// Whether all entries of two linearisations are equal to the digit.
+/// True if all entries of two linearisations are equal to the bit.
 bool are_equal(const Both& one, const Both& other) {
   bool all = one.geometric.pairs.size() == other.geometric.pairs.size() &&
              are_equal(one.geometric.tractions, other.geometric.tractions);
@@ -105,7 +105,7 @@ bool are_equal(const Both& one, const Both& other) {
   return all;
 }
 
-/// What differs between two linearisations, as a part of the first one's largest entry.
+/// The largest difference of two linearisations, relative to the largest entry of the first one.
 double largest_difference(const Both& one, const Both& other) {
   double largest = 0;
   for (Index node = 0; node < one.point.nodes.count(); ++node) {
@@ -116,8 +116,8 @@ double largest_difference(const Both& one, const Both& other) {
   return largest;
 }
 
-/// A motion within, and one beyond, a part `same` of the shortest edge: that of the finer grid, the secondary one, give
-/// or take what the disturbance makes of it.
+/// Motions just below and just above the fraction `same` of the shortest edge: that of the finer, secondary grid, minus
+/// or plus the effect of the disturbance.
 constexpr double edge = 1.0 / (2 * Overlap::cells);
 constexpr double of_both_ends = 2 * 1.8 * Overlap::disturbance;  // sqrt(3) for three components
 constexpr double little = 0.99 * same * (edge - of_both_ends);
@@ -206,8 +206,8 @@ BOOST_AUTO_TEST_CASE(a_linearisation_serves_while_the_surfaces_have_moved_by_nex
     const Both served = overlap.linearise(overlap.point(), past.past());
     const Both anew = overlap.linearise(overlap.point());
     BOOST_TEST(!are_equal(served, anew));
-    // Weights of nodes in a gap, of 1/3 on average, change by the motion over a facet's height, which is edge/sqrt(2),
-    // once as the point wanders and once as the normal turns: 2 sqrt(2) 3 = 8.5, and facets are disturbed.
+    // The weights of nodes in a gap, on average 1/3, change by the motion over a facet's height edge/sqrt(2), once
+    // because the point moves and once because the normal rotates: 2 sqrt(2) 3 = 8.5, and the facets are disturbed.
     BOOST_TEST(largest_difference(anew, served) < 10 * same);
     overlap.scene.fields[side].position(2, 0) += much - little;
     overlap.project();
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(what_corrections_have_made_of_a_status_is_not_taken_over) {
   const auto corrected = [&](const LinearisationPoint& made_at, bool is_closed) {
     PastLinearisation past = overlap.linearise(made_at).past();
     past.point.loads.in_contact[inner] = past.point.loads.flux_coupled[inner] = is_closed;
-    past.point.nodes[inner] = overlap.linearise(closed).point.nodes[inner];  // of a node that was released, or added
+    past.point.nodes[inner] = overlap.linearise(closed).point.nodes[inner];  // of a node that was released or added
     return past;
   };
   BOOST_TEST(are_equal(overlap.linearise(open, corrected(closed, false)), without));
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(what_corrections_have_made_of_a_status_is_not_taken_over) {
 BOOST_AUTO_TEST_CASE(stiff_penalties_have_less_taken_over) {
   BOOST_TEST(same_to_linearisation(with_penalties(1e5, 1e5)->pass(0).laws()) == 1e-3,
              boost::test_tools::tolerance(1e-12));
-  // eps delta^2/k is a tenth
+  // The change is limited such that eps delta^2/k is a tenth.
   BOOST_TEST(same_to_linearisation(with_penalties(1e7, 1)->pass(0).laws()) == 1e-4,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(same_to_linearisation(with_penalties(1, 1e9)->pass(0).laws()) == 1e-5,
@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(with_friction_all_are_linearised_anew) {
   BOOST_TEST(count(overlap.changed(past, point)) == point.loads.in_contact.count());
 }
 
-/// The tangent of an iteration that begins a little way from the one before it, with what happens between the two.
+/// The tangent of an iteration that begins near the previous one. `between`: actions between both iterations.
 template <class Between>
 MatrixXd tangent_after(const Between& between) {
   Overlap overlap;

@@ -17,7 +17,7 @@ Settings lagrange_settings() {
   return settings;
 }
 
-/// A contact with multipliers as unknowns at a state, with fixed status, as a function of all unknowns.
+/// A contact with unknown multipliers at constant contact status, as a function of all unknowns.
 struct AtFixedStatus {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
@@ -46,7 +46,7 @@ struct AtFixedStatus {
   }
 };
 
-/// Relative error of the tangent of a facet's contact with what it faces, fields and multipliers at random.
+/// Relative error of the tangent of a contact with random fields and multipliers.
 double tangent_error(Scene scene, std::mt19937& random) {
   scene.disturb(0.02, random);
   AtFixedStatus at_status(scene);
@@ -72,10 +72,11 @@ BOOST_AUTO_TEST_CASE(the_tangent_with_multipliers_matches_differences_for_every_
 BOOST_AUTO_TEST_CASE(the_tangent_with_multipliers_matches_differences_on_segments) {
   std::mt19937 random(12);
   for (const FacetType type : all_facets) {
-    const int cells_two = sanitized ? 1 : 2;  // a facet that is cut is all that a sanitizer needs
+    const int cells_two = sanitized ? 1 : 2;  // a facet that is cut is sufficient for a sanitizer
     Scene scene(facing_grids(type, type, 0.08, 1, cells_two), effects_of(true, 1), lagrange_settings());
     scene.settings.integration = Integration::segments;
-    // Turned, so that edges cross at an angle: the third derivatives of a crossing grow with its cube.
+    // The surface is rotated such that edges cross at an angle: the third derivatives of a crossing grow with the cube
+    // of its cotangent.
     turn(scene.fields[Side::secondary].position, 0.5);
     BOOST_TEST_CONTEXT(static_cast<int>(type)) { BOOST_TEST(tangent_error(scene, random) <= difference_tolerance); }
   }
@@ -84,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_with_multipliers_matches_differences_on_segment
 BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_with_some_nodes_out_of_contact) {
   std::mt19937 random(5);
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 2), effects_of(true, 1), lagrange_settings());
-  // Tilted, so that the overlap ends within the surface.
+  // The surface is tilted such that the overlap ends within it.
   scene.fields[Side::primary].position.row(2) -= 0.15 * scene.fields[Side::primary].position.row(0);
   scene.disturb(0.002, random);
   AtFixedStatus at_status(scene);
@@ -124,9 +125,8 @@ BOOST_AUTO_TEST_CASE(the_symmetric_tangent_is_symmetric) {
 
 namespace {
 
-/// Least singular value of the transmission operator b(mu, phi) = INT mu (phi1 - phi2) da between multipliers and
-/// fields of the primary and secondary surface, all measured by their L2 norms: the inf-sup constant of the multiplier
-/// space.
+/// Smallest singular value of the operator b(mu, phi) = INT mu (phi1 - phi2) da between multipliers and the fields of
+/// both surfaces, all measured by their L2 norms: the inf-sup constant of the multiplier space.
 double inf_sup_constant(FacetType one, FacetType two, std::pair<int, int> cells, const Settings& settings) {
   Scene scene(facing_grids(one, two, 0.0, cells.first, cells.second), effects_of(false, 1), settings);
   AtFixedStatus at_status(scene);
@@ -163,7 +163,8 @@ double inf_sup_constant(FacetType one, FacetType two, std::pair<int, int> cells,
     for (Index b = 0; b < n1; ++b) transmission(a, b) = tangent(row, layout.entry(Side::primary, b, 3));
     for (Index b = 0; b < n2; ++b) transmission(a, n1 + b) = tangent(row, layout.entry(Side::secondary, b, 3));
   }
-  // In coordinates in which the L2 norms are Euclidean: L1^-1 B L^-T with M = L L^T. Rows carry dt.
+  // In coordinates in which the L2 norms are Euclidean, the operator is L1^-1 B L^-T with M = L L^T. Its rows contain
+  // dt.
   const auto lower = [](const MatrixXd& matrix) -> MatrixXd { return matrix.llt().matrixL(); };
   MatrixXd fields = MatrixXd::Zero(n1 + n2, n1 + n2);
   fields.topLeftCorner(n1, n1) = lower(mass(Side::primary, false));
@@ -177,9 +178,9 @@ double inf_sup_constant(FacetType one, FacetType two, std::pair<int, int> cells,
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_finer_and_coarser_surfaces) {
-  // The primary field alone controls its multipliers, whatever the ratio of the meshes and however fine they are. On
-  // linear facets they span the same space, so the constant is 1 at least, up to the quadrature of the secondary field;
-  // on quadratic ones it is 0.43 at least (docs/explanation/enforcement.md).
+  // The primary field alone controls its multipliers for any ratio and size of the meshes. On linear facets both span
+  // the same space, and the constant is at least 1, up to the quadrature of the secondary field; on quadratic facets it
+  // is at least 0.43 (docs/explanation/enforcement.md).
   for (const auto& [one, two] :
        facet_pairs(all_facets, std::array{FacetType::tri3, FacetType::quad4, FacetType::quad8})) {
     for (const auto& [cells_one, cells_two] :
@@ -193,7 +194,8 @@ BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_finer_and_coarser_surface
 }
 
 BOOST_AUTO_TEST_CASE(the_multiplier_space_is_stable_on_segments) {
-  // As above; order 4 integrates what psi makes of linear fields exactly. The default order loses some: 0.79 at least.
+  // The bound is the same as for Gauss points. Order 4 integrates psi times linear fields exactly; the default order
+  // does not, and gives at least 0.79.
   Settings settings = lagrange_settings();
   settings.integration = Integration::segments;
   for (const FacetType one : {FacetType::tri3, FacetType::quad4}) {

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_line_through_a_corner_does_not_pass) {
     const FacetCoordinates x = random_triangle(random);
     const Circle circle = circle_around(x);
     for (Index node = 0; node < x.cols(); ++node) {
-      // Seen along it, the corner that is farthest from the middle lies on the circle itself.
+      // The corner that is farthest from the middle is on the circle in a projection along this direction.
       const Vector3d from_middle = x.col(node) - circle.centre;
       const Vector3d direction = from_middle.cross(random_vector(1, random)).normalized();
       BOOST_TEST(!is_passed(circle, x.col(node), direction));
@@ -56,6 +56,6 @@ BOOST_AUTO_TEST_CASE(circles_are_apart_as_they_are_seen) {
   const Circle one{{0, 0, 0}, 1};
   const Circle other{{2.5, 0, 0}, 1};
   BOOST_TEST(are_apart(one, other, {0, 0, 1}));
-  BOOST_TEST(!are_apart(one, other, {1, 0, 0}));           // one behind the other
+  BOOST_TEST(!are_apart(one, other, {1, 0, 0}));           // one is behind the other
   BOOST_TEST(!are_apart(one, {{2, 0, 0}, 1}, {0, 0, 1}));  // they touch
 }

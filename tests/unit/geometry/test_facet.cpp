@@ -8,7 +8,7 @@ using namespace test;
 
 namespace {
 
-/// FEBio's nodes of FESurfaceElement, copied from its shape function tables.
+/// Nodes of FEBio's FESurfaceElement, from its shape function tables.
 const std::vector<Vector2d> febio_triangle{
     {0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}, {1.0 / 3.0, 1.0 / 3.0}};
 const std::vector<Vector2d> febio_quadrilateral{{-1, -1}, {1, -1}, {1, 1},  {-1, 1}, {0, -1},
@@ -82,8 +82,8 @@ BOOST_AUTO_TEST_CASE(gradients_are_the_differences_of_the_values) {
     for (int sample = 0; sample < 50; ++sample) {
       const Vector2d xi = random_inside(type, random);
       for (int i = 0; i < 2; ++i) {
-        // At most quadratic in each coordinate, so central differences have no truncation error and the step may be
-        // large.
+        // The functions are at most quadratic in each coordinate: central differences have no truncation error, and the
+        // step may be large.
         const Vector2d step = 0.5 * Vector2d::Unit(i);
         const FacetVector difference = shape_functions(type, xi + step).value - shape_functions(type, xi - step).value;
         BOOST_TEST((shape_functions(type, xi).gradient.col(i) - difference).cwiseAbs().maxCoeff() <= rounding);
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(multiplier_functions_are_shares_that_are_nowhere_negative) 
 
 BOOST_AUTO_TEST_CASE(multiplier_functions_are_linear_between_neighbouring_nodes) {
   for (const FacetType type : all_facets) {
-    // Of linear functions, nodal values give back the function, and gradients its slope.
+    // For a linear function, interpolation of the nodal values gives the function, and the gradients give its slope.
     FacetVector nodal(node_count(type));
     for (int a = 0; a < node_count(type); ++a) nodal[a] = 2 * parametric_node(type, a)[0] - parametric_node(type, a)[1];
     for (const QuadraturePoint& q : piecewise_quadrature(type, 3)) {
@@ -128,7 +128,8 @@ BOOST_AUTO_TEST_CASE(slopes_of_multiplier_functions_are_the_differences_of_the_v
     const Vector2d xi = random_inside(type, random);
     for (int piece = 0; piece < static_cast<int>(sub_facets(type).size()); ++piece) {
       for (int i = 0; i < 2; ++i) {
-        // Linear in each coordinate, also beyond the piece: central differences have no truncation error.
+        // The functions are linear in each coordinate, also outside the piece: central differences have no truncation
+        // error.
         const Vector2d step = 0.5 * Vector2d::Unit(i);
         const FacetVector difference = multiplier_functions(type, piece, xi + step).value -
                                        multiplier_functions(type, piece, xi - step).value;
@@ -155,7 +156,7 @@ BOOST_AUTO_TEST_CASE(functions_redistributed_among_some_nodes_add_up_to_one_with
       BOOST_TEST(psi.value[alone] == 0.0);
       BOOST_TEST(psi.value.minCoeff() >= -rounding);
       for (int i = 0; i < 2; ++i) {
-        // Linear in each coordinate, as psi itself: central differences have no truncation error.
+        // The functions are linear in each coordinate, as psi itself: central differences have no truncation error.
         const Vector2d step = 0.5 * Vector2d::Unit(i);
         const FacetVector difference = shared(xi + step).value - shared(xi - step).value;
         BOOST_TEST((psi.gradient.col(i) - difference).cwiseAbs().maxCoeff() <= rounding);
@@ -169,7 +170,8 @@ BOOST_AUTO_TEST_CASE(functions_are_redistributed_beside_their_nodes_where_these_
   const auto shared = [&](const FacetVector& counts) {
     return redistributed(FacetType::quad4, shape_functions(FacetType::quad4, xi), counts).value;
   };
-  // The far edge, nodes 1 and 2, gives each to the node across: along the near one functions are linear as before.
+  // The nodes 1 and 2 of the far edge give their functions to the nodes across: the functions along the near edge
+  // remain linear.
   const FacetVector edge = shared(Eigen::Vector4d(1, 0, 0, 1));
   BOOST_TEST((edge - FacetVector(Eigen::Vector4d(0.8, 0, 0, 0.2))).norm() <= rounding);
   const FacetVector corner = shared(Eigen::Vector4d(0, 1, 0, 0));

@@ -1,4 +1,4 @@
-/// Flat pairs by moments: what their points sum up to, and its derivatives.
+/// Tests of flat pairs with moments: they equal sums over points, and their derivatives equal differences.
 #include "contact/geometry/flat_pair.h"
 
 #include "random_contact.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr int samples = 10;
 constexpr Index field = 0;
 
-/// Two triangles with points in between, loads at the primary nodes, and one field.
+/// Two triangles with points between them, loads at the primary nodes, and one field.
 struct FlatContact {
   explicit FlatContact(std::mt19937& random) : contact(FacetType::tri3, FacetType::tri3, 1, random) {
     constexpr int count = 4;
@@ -29,7 +29,7 @@ struct FlatContact {
     there.xi = places[number];
     return there.kinematics(unknowns);
   }
-  /// With the loads at the primary nodes, held, between them.
+  /// The loads at a point, interpolated from constant loads at the primary nodes.
   PointLoads loads(std::size_t number) const {
     const Vector3d psi = area_coordinates(places[number]);
     PointLoads here;
@@ -62,7 +62,7 @@ struct FlatContact {
   }
   FlatNodes values() const { return contact.fields(contact.unknowns).col(field); }
 
-  /// Columns or rows of the unknowns that are displacements, or values of the field.
+  /// The entries of the unknowns that are displacements.
   std::vector<Index> displacements() const {
     std::vector<Index> result;
     for (Index node = 0; node < contact.layout.nodes(); ++node) {
@@ -75,7 +75,7 @@ struct FlatContact {
     for (Index node = 0; node < contact.layout.nodes(); ++node) result.push_back(contact.layout.scalar(node, field));
     return result;
   }
-  /// Differences with the displacements alone, each point projected anew.
+  /// Differences with respect to displacements only, with a new projection of each point.
   MatrixXd differences_of(const std::function<VectorXd(const VectorXd&)>& function) const {
     const MatrixXd all = differences(function, contact.unknowns);
     return all(Eigen::all, displacements());
@@ -94,7 +94,7 @@ void for_random_pairs(unsigned seed, const Check& check) {
   for (int sample = 0; sample < samples; ++sample) check(FlatContact(random));
 }
 
-/// The residual of all points, in the order of the unknowns.
+/// The residual summed over all points, in the order of the unknowns.
 VectorXd residual_of_points(const FlatContact& pair, const VectorXd& unknowns) {
   VectorXd sum = VectorXd::Zero(unknowns.size());
   pair.for_each_point(unknowns, [&](std::size_t q, const PointKinematics& point) {
@@ -103,7 +103,7 @@ VectorXd residual_of_points(const FlatContact& pair, const VectorXd& unknowns) {
   return sum;
 }
 
-/// Averages of the gap, or of a field's jump, over each primary node.
+/// Averages of the gap, or of a field's jump, for each primary node.
 Vector3d averages(const FlatContact& pair, const VectorXd& unknowns, bool of_gap) {
   Vector3d sums = Vector3d::Zero();
   Vector3d areas = Vector3d::Zero();
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_give_their_functions_away_have_no_part) {
   for_random_pairs(7, [](const FlatContact& pair) {
     const FlatMoments moments = pair.flat().moments;
     Eigen::Matrix3d heirs;
-    heirs << 1, 0, 0.5, 0, 1, 0.5, 0, 0, 0;  // the last one gives its own to the others
+    heirs << 1, 0, 0.5, 0, 1, 0.5, 0, 0, 0;  // the last node gives its function to the others
     const FlatMoments given = moments.redistributed(heirs);
     BOOST_TEST(given.primary.row(2).norm() == 0.0);
     BOOST_TEST(given.secondary.row(2).norm() == 0.0);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int samples = 10;
 
-/// Calls `check` for random contacts without fields, whose unknowns are the nodal positions alone, of every pair of
-/// facets.
+/// Calls `check` for random contacts without fields, for every pair of facet types. Their unknowns are the nodal
+/// positions.
 template <class Check>
 void for_every_pair(unsigned seed, const Check& check) {
   std::mt19937 random(seed);
@@ -35,7 +35,7 @@ MatrixXd exact_variations(const RandomContact& contact) {
   return result;
 }
 
-/// A rigid motion's velocity of all nodes.
+/// Velocity of all nodes in a rigid motion.
 VectorXd rigid_velocity(const RandomContact& contact, const Vector3d& translation, const Vector3d& spin) {
   VectorXd velocity(contact.unknowns.size());
   for (Index node = 0; node < contact.layout.nodes(); ++node) {

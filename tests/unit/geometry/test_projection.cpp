@@ -13,7 +13,7 @@ namespace {
 
 constexpr double edge_tolerance = 1e-12;
 
-/// A line that meets a facet at a known place.
+/// A line that intersects a facet at a known point.
 struct Shot {
   FacetType type;
   FacetCoordinates x;
@@ -29,7 +29,7 @@ struct Shot {
   double miss(const RayHit& found) const {
     return (x * shape_functions(type, found.eta).value - origin() - found.gap * direction).norm();
   }
-  /// How much the parametric coordinates and the gap change, at most, with a displacement of the target of size 1.
+  /// Upper bound of the change of the parametric coordinates and of the gap for a displacement of the point by 1.
   double sensitivity() const {
     Eigen::Matrix3d slope;
     slope << x * shape_functions(type, eta).gradient, -direction;
@@ -42,7 +42,7 @@ Vector3d normal_at(const FacetCoordinates& x, const ShapeFunctions& shape) {
   return tangents.col(0).cross(tangents.col(1)).normalized();
 }
 
-/// A shot at eta within about 30 degrees of the normal, from at most half a facet away on either side.
+/// A line through the point eta within about 30 degrees of the normal, from at most half a facet away on either side.
 Shot random_shot(FacetType type, double noise, const Vector2d& eta, std::mt19937& random) {
   Shot shot{type, random_facet(type, noise, random), eta, random_vector(0.5, random)[0], {}};
   const Vector3d normal = normal_at(shot.x, shape_functions(type, eta));
@@ -56,7 +56,7 @@ void check_finite(const std::optional<RayHit>& hit) {
   BOOST_TEST(std::isfinite(hit->gap));
 }
 
-/// The hit is the point aimed at, to rounding.
+/// Checks that the hit is the known point within rounding.
 void check_recovers(const Shot& shot, const std::optional<RayHit>& hit) {
   BOOST_REQUIRE(hit.has_value());
   BOOST_TEST(shot.miss(*hit) <= rounding);
@@ -81,8 +81,8 @@ BOOST_AUTO_TEST_CASE(a_shot_at_a_flat_facet_hits_where_it_aims) {
 }
 
 BOOST_AUTO_TEST_CASE(a_shot_at_a_warped_or_curved_facet_hits_where_it_aims) {
-  // Nodes displaced by up to a twelfth of the distance to the next one: curved and warped, but not so much that a line
-  // within 30 degrees of the normal meets the facet twice.
+  // Nodes are displaced by up to a twelfth of the distance to the next one. The facets are curved and warped, but a
+  // line within 30 degrees of the normal intersects them only once.
   std::mt19937 random(2);
   for (const FacetType type : all_facets) {
     const double noise = is_triangle(type) ? 0.04 : 0.08;
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_curved_facet_is_hit_as_far_outside_as_the_tolerance_says)
       for (int sample = 0; sample < 50; ++sample) {
         Shot shot = random_shot(type, 0.04, centre + 1.04 * away, random);
         BOOST_TEST(distance_outside(type, shot.eta) <= tolerance);
-        shot.gap *= 100;  // however far away it begins
+        shot.gap *= 100;  // far away
         check_finite(shot.hit(tolerance));
         BOOST_TEST(shot.hit(tolerance).has_value());
       }
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(the_gap_has_the_sign_of_the_direction) {
 }
 
 BOOST_AUTO_TEST_CASE(of_two_hits_on_a_curved_facet_the_nearer_one_counts) {
-  // The arch z = 1 - x^2 and lines close to the horizontal: both flanks are hit, nearly 2 sqrt(1 - z) apart.
+  // Lines close to the horizontal hit both flanks of the arch z = 1 - x^2, nearly 2 sqrt(1 - z) apart.
   std::mt19937 random(6);
   for (const FacetType type : {FacetType::quad8, FacetType::quad9}) {
     FacetCoordinates x = random_facet(type, 0, random);
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(of_two_hits_on_a_curved_facet_the_nearer_one_counts) {
       Vector3d origin(0, 0, 0.5);
       origin += random_vector(0.3, random);
       const std::optional<RayHit> hit = intersect(type, x, origin, direction, 0);
-      // Along the line z(s) = z0 + s dz, x(s) = x0 + s dx: the arch is met where 1 - x^2 - z = 0.
+      // The line z(s) = z0 + s dz, x(s) = x0 + s dx intersects the arch where 1 - x^2 - z = 0.
       const double a = direction[0] * direction[0];
       const double b = 2 * origin[0] * direction[0] + direction[2];
       const double c = origin[0] * origin[0] + origin[2] - 1;
@@ -243,8 +243,8 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_numbers_give_no_hit) {
 }
 
 BOOST_AUTO_TEST_CASE(a_strongly_warped_quadrilateral_is_hit_where_its_bilinear_equation_says) {
-  // Nodes displaced by up to 0.4 at a size of 2. Whatever the shape, the hit is a point of both facet and line, no
-  // farther away than the point aimed at.
+  // Nodes are displaced by up to 0.4 at a size of 2. For any shape, the hit is a point of both facet and line, and not
+  // farther away than the known point.
   std::mt19937 random(12);
   for (int sample = 0; sample < 2000; ++sample) {
     const Shot shot = random_shot(FacetType::quad4, 0.4, random_inside(FacetType::quad4, random), random);

@@ -12,7 +12,7 @@ namespace {
 
 double factorial(int n) { return std::tgamma(n + 1.0); }
 
-/// INT_-1^1 x^2n dx minus its n-point Gauss sum: 2^(2n+1) n!^4 / ((2n+1) (2n)!^2), the error term of the rule.
+/// INT_-1^1 x^2n dx minus its n-point Gauss sum: 2^(2n+1) n!^4/((2n+1) (2n)!^2), the error term of the rule.
 double gauss_defect(int points) {
   return std::pow(2, 2 * points + 1) * std::pow(factorial(points), 4) /
          ((2 * points + 1) * std::pow(factorial(2 * points), 2));
@@ -24,7 +24,7 @@ double gauss_sum(const Eigen::MatrixX2d& rule, int power) {
 
 double line_integral(int power) { return power % 2 == 0 ? 2.0 / (power + 1) : 0.0; }
 
-/// The integral of r^i s^j over a facet's domain.
+/// The integral of r^i s^j over the parametric domain of a facet.
 double exact_integral(FacetType type, int i, int j) {
   return is_triangle(type) ? factorial(i) * factorial(j) / factorial(i + j + 2) : line_integral(i) * line_integral(j);
 }
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(gauss_legendre_is_exact_to_its_degree_and_has_its_error_bey
     }
     const double defect = line_integral(2 * points) - gauss_sum(rule, 2 * points);
     BOOST_TEST(std::abs(defect - gauss_defect(points)) <= rounding);
-    BOOST_TEST(gauss_defect(points) > 1e6 * rounding);  // so the line above tells the degree
+    BOOST_TEST(gauss_defect(points) > 1e6 * rounding);  // the test above therefore detects the degree
   }
 }
 
@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE(triangle_rules_are_not_exact_beyond_their_total_degree) {
     BOOST_TEST(error(FacetType::tri3, order, triangle_degree(order) + 1, 0) > 1e6 * rounding);
   }
   for (int order = 4; order <= max_quadrature_order; ++order) {
-    // r^(2n-1) (1 - r) has the degree 2n in r; on [0, 1] the error is that of [-1, 1] over 2^(2n+1). The integral
-    // itself is 1/(2n (2n+1)) and so is its rounding error smaller than `rounding` by that factor.
+    // r^(2n-1) (1 - r) has the degree 2n in r; its error on [0, 1] is that on [-1, 1] divided by 2^(2n+1). The integral
+    // is 1/(2n (2n+1)), and its rounding error is smaller than `rounding` by that factor.
     const double defect = gauss_defect(order) / std::pow(2, 2 * order + 1);
     const double accuracy = rounding / (2 * order * (2 * order + 1));
     BOOST_TEST(std::abs(error(FacetType::tri6, order, 2 * order - 1, 0) - defect) <= accuracy);

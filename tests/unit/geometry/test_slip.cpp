@@ -10,7 +10,7 @@ namespace {
 
 constexpr int samples = 5;
 
-/// A random pair of facets whose nodes were elsewhere when the step began.
+/// A random pair of facets with other nodal positions at the start of the step.
 struct SlidingContact {
   RandomContact now;
   VectorXd past;
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(the_variation_with_the_place_matches_differences_for_every_
   BOOST_TEST(worst <= difference_tolerance);
 }
 
-/// Both bodies turn by 90 degrees and move on, with a gap between them that stays.
+/// Both bodies rotate by 90 degrees and translate, with a constant gap between them.
 BOOST_AUTO_TEST_CASE(a_rigid_motion_of_both_bodies_is_no_slip) {
   double worst = 0;
   for_every_pair(3, [&](const SlidingContact& contact, std::mt19937& random) {
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_of_both_bodies_is_no_slip) {
   BOOST_TEST(worst <= 1e-12);
 }
 
-/// A plane that is carried along with a rigid motion and stretched, and nothing along its normal.
+/// A tangent plane follows a rigid motion and a stretch; its normal component is dropped.
 BOOST_AUTO_TEST_CASE(convection_turns_and_stretches_with_the_facet) {
   std::mt19937 random(4);
   for (const FacetType type : all_facets) {

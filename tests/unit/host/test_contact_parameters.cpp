@@ -1,4 +1,4 @@
-// What parameters leave open is chosen.
+// Tests of defaults for parameters that a model does not set.
 #include "host/contact_parameters.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,7 +11,7 @@ ContactParameters with_friction() {
   return parameters;
 }
 
-/// Tangential penalty over the stiffness of the bodies.
+/// Tangential penalty divided by the stiffness of the bodies.
 double friction_factor(const ContactParameters& parameters) {
   const mixture_contact::Settings settings = core_settings(parameters);
   return settings.friction.penalty_factor * settings.traction.value;

@@ -1,4 +1,4 @@
-// A fake host that makes FEBio's calls in FEBio's order, with contacts that note what they are asked to do.
+// Tests with a fake host that makes FEBio's calls in FEBio's order, and contacts that record the calls.
 #include "host/contact_steps.h"
 
 #include "fake_solver.h"
@@ -55,7 +55,7 @@ class FakeContact : public SteppedContact {
   Notes& notes_;
 };
 
-/// A helper that predicts, or says that it does.
+/// A helper that predicts, or only reports that it does.
 class FakeHelper : public newton::Helper {
  public:
   explicit FakeHelper(Notes& notes) : notes_(notes) {}
@@ -105,7 +105,7 @@ class FakeHost : public SteppedModel {
     }
   }
 
-  // FEBio's calls, each for every active contact
+  // FEBio's calls, made for each active contact.
   void update_model() {
     for (SteppedContact* contact : active_contacts()) steps.evaluate(contact);
   }
@@ -118,7 +118,7 @@ class FakeHost : public SteppedModel {
     for (std::size_t n = 0; n < active_contacts().size(); ++n) steps.before_matrix();
     steps.matrix_formed();
   }
-  /// An iteration with the matrix that there is.
+  /// Performs an iteration with the present matrix.
   void iterate() {
     update(1.0);
     steps.end_iteration();
@@ -127,14 +127,14 @@ class FakeHost : public SteppedModel {
     for (SteppedContact* contact : active_contacts()) steps.try_increment(contact, {increment});
     update_model();
   }
-  /// What all contacts are told alike.
+  /// Returns the answer that all contacts get, which has to be the same.
   bool are_accepted() {
     std::set<bool> answers;
     for (SteppedContact* contact : active_contacts()) answers.insert(steps.accepts(contact));
     BOOST_TEST(answers.size() == 1U);
     return *answers.begin();
   }
-  /// Returns whether the step has been solved.
+  /// Returns true if the step has been solved.
   bool augment() {
     const bool accepted = are_accepted();
     if (!accepted) {
@@ -143,7 +143,7 @@ class FakeHost : public SteppedModel {
     }
     return accepted;
   }
-  /// The same where the host keeps its matrix.
+  /// The function augment() for a host that keeps its matrix.
   bool augment_with_the_matrix_kept() {
     const bool accepted = are_accepted();
     if (!accepted) update_model();
@@ -210,7 +210,7 @@ class FakeHost : public SteppedModel {
   ContactSteps steps;
 };
 
-/// The first iteration of a step, after which loads of the last contact are not those of a solution.
+/// Performs the first iteration of a step, after which the loads of the last contact are not those of a solution.
 void converge_with_loads_off(FakeHost& host) {
   host.start_step();
   host.update(1.0);
@@ -443,7 +443,7 @@ BOOST_AUTO_TEST_CASE(rejections_are_limited_in_each_step) {
 BOOST_AUTO_TEST_CASE(a_cutback_within_a_round_leaves_nothing_behind) {
   FakeHost host(2);
   host.start_step();
-  host.steps.try_increment(host.contacts[0].get(), {1.0});  // and an element inverts before the second is told
+  host.steps.try_increment(host.contacts[0].get(), {1.0});  // an element inverts before the second contact is notified
   host.steps.rewind();
   host.said();
   host.start_step();

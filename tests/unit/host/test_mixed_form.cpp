@@ -1,4 +1,4 @@
-/// Loads in mixed form: the same increments as with the product in the matrix.
+/// Tests that loads in mixed form give the same increments as with their products in the matrix.
 #include "host/mixed_form.h"
 
 #include "random_contact.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr Index size = 9;
 
-/// A load that acts on the first three unknowns and depends on all of them.
+/// A load that acts on the first three unknowns and depends on all unknowns.
 LoadBlock random_load(std::mt19937& random, double factor) {
   LoadBlock load;
   load.work = random_values(3, -1, 1, random);
@@ -25,7 +25,7 @@ LoadBlock random_load(std::mt19937& random, double factor) {
   return load;
 }
 
-/// A matrix that is far from singular, with the product of a load and without.
+/// A well-conditioned matrix, with or without the product of a load.
 MatrixXd random_matrix(std::mt19937& random) {
   return MatrixXd::Identity(size, size) + 0.1 / size * random_values(size * size, -1, 1, random).reshaped(size, size);
 }
@@ -45,7 +45,7 @@ MatrixXd with_mixed_form(const MatrixXd& matrix, const LoadBlock& load) {
   return larger;
 }
 
-/// Solves as solvers do that scale columns and choose pivots.
+/// Solves like a linear solver that scales columns and chooses pivots.
 VectorXd solve(const MatrixXd& matrix, const VectorXd& right_hand_side) {
   const VectorXd scale = matrix.colwise().norm();
   const MatrixXd scaled = matrix * scale.cwiseInverse().asDiagonal();
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(increments_are_those_of_the_product) {
     const LoadBlock load = random_load(random, factor);
     const MatrixXd matrix = random_matrix(random);
     const VectorXd residual = random_values(size, -1, 1, random);
-    // Rounding of the factors is multiplied by the condition of what they are factors of.
+    // The rounding error of the factors is multiplied by the condition number of the matrix.
     const MatrixXd product = with_product(matrix, load);
     const Eigen::VectorXd singular = product.jacobiSvd().singularValues();
     const VectorXd expected = solve(product, residual);
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(the_unknown_of_a_load_is_lost_beside_increments) {
     const VectorXd change = random_values(size, -1, 1, random);
     const double unknown = -mixed.row.dot(change) / mixed.diagonal;
     BOOST_TEST(change.squaredNorm() + unknown * unknown == change.squaredNorm());
-    // It is the change of the load in its own unit.
+    // The unknown is the change of the load in its own unit.
     const VectorXd work = unknown * mixed.column;
     const VectorXd expected = factor * load.variation.dot(change) * load.work;
     BOOST_TEST((work - expected).norm() <= rounding * expected.norm());
@@ -98,6 +98,6 @@ BOOST_AUTO_TEST_CASE(a_load_that_depends_on_nothing_has_no_mixed_form) {
   BOOST_TEST(!has_mixed_form(load));
   for (const double value : {1e-30, std::numeric_limits<double>::quiet_NaN()}) {
     load.variation[4] = value;
-    BOOST_TEST(has_mixed_form(load));  // what is no number is to reach the solver, which says so
+    BOOST_TEST(has_mixed_form(load));  // NaN has to reach the linear solver, which reports it
   }
 }

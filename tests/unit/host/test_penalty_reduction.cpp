@@ -1,4 +1,4 @@
-// A fake host takes steps that a scene bears up to some factor of the penalty, and retries those that fail.
+// Tests with a fake host whose steps converge up to some factor of the penalty, and which repeats failed steps.
 #include "host/contact_parameters.h"
 #include "host/penalty_reduction.h"
 
@@ -17,7 +17,7 @@ constexpr double step = 0.5;
 
 class FakeHost {
  public:
-  /// `bears`: the largest factor of the penalty at which a step, by its number, can be solved.
+  /// `bears`: largest factor of the penalty for which a step, given by its number, converges.
   explicit FakeHost(std::function<double(int)> bears) : bears_(std::move(bears)) {}
 
   /// Returns the factor at which each step was accepted.
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(penalties_do_not_fall_below_the_stiffness_of_the_bodies) {
 BOOST_AUTO_TEST_CASE(recovery_is_tried_ever_more_seldom_where_a_scene_stays_hard) {
   FakeHost host([](int) { return 100.0; });
   for (const double factor : host.run(100)) BOOST_TEST(factor <= 100);
-  // Tried again after three levels of 1, 2, 4, 8 and 16 steps.
+  // Recovery is tried again after three levels of 1, 2, 4, 8 and 16 steps.
   BOOST_TEST(host.failures == 6);
 }
 

@@ -12,7 +12,7 @@ using Matrix = Stepper::Matrix;
 
 namespace {
 
-/// At the start of a step.
+/// A stepper at the start of a step.
 Stepper prepared() {
   Stepper stepper;
   stepper.evaluate();
@@ -20,7 +20,7 @@ Stepper prepared() {
   return stepper;
 }
 
-/// After a trial that has been evaluated.
+/// A stepper after an evaluated trial.
 Stepper evaluated() {
   Stepper stepper = prepared();
   stepper.form_matrix(Changed::nothing);
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_rejected_state_that_is_corrected_keeps_what_is_held_until
   Stepper stepper = evaluated();
   BOOST_TEST(stepper.reject(GoesOn::correction) == 1);
   BOOST_TEST((stepper.evaluate() == Evaluation::keep_linearisation));
-  BOOST_TEST((stepper.before_matrix() == Matrix::begin));  // should the host form one all the same
+  BOOST_TEST((stepper.before_matrix() == Matrix::begin));  // in case the host assembles a matrix
   BOOST_TEST(stepper.keep_matrix());
 }
 
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(the_first_to_be_told_opens_a_round) {
   BOOST_TEST(round.opens(&one));
   BOOST_TEST(!round.opens(&two));
   BOOST_TEST(round.opens(&one));
-  BOOST_TEST(round.opens(&one));  // the round before was interrupted
+  BOOST_TEST(round.opens(&one));  // the previous round was interrupted
   BOOST_TEST(!round.opens(&two));
   BOOST_TEST(round.opens(&two));  // the other one is no longer active
   round.reset();

@@ -8,7 +8,7 @@ using namespace test;
 
 namespace {
 
-/// Edges of a surface's facets with and without a neighbour.
+/// Numbers of edges of a surface's facets with and without a neighbour.
 struct Edges {
   int joint = 0;
   int free = 0;
@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(neighbours_share_both_ends_of_an_edge) {
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_ends_at_its_rim_alone) {
-  // 3 x 2 cells: ten edges around them, seven between them, six diagonals where cells are triangles.
+  // The grid of 3 x 2 cells has ten edges on its boundary, seven between cells, and six diagonals if cells consist of
+  // triangles.
   for (const FacetType type : all_facets) {
     const Edges edges = edges_of(grid_of(type));
     BOOST_TEST(edges.free == 10);

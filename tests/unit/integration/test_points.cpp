@@ -11,7 +11,7 @@ using namespace test;
 
 namespace {
 
-/// One square below another one, which can be shifted along x; four points.
+/// Two squares with four Gauss points. The upper one may be shifted along x.
 struct Squares {
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 1);
   GridSurface below = grid_surface(grids[Side::primary], 0);
@@ -24,7 +24,8 @@ struct Squares {
     return position;
   }
 
-  /// Parametric coordinates along x of what is found; the upper square faces down, and its coordinate runs backwards.
+  /// Parametric coordinates of the projected points along x. The upper square faces downwards, so that its coordinate
+  /// runs backwards.
   std::vector<double> seen(double shift) {
     std::vector<double> places;
     const FacetPairs found = points.search(below.position, shifted(shift), 1);
@@ -34,7 +35,7 @@ struct Squares {
   }
 };
 
-constexpr double half = 0.5;  // of a square: what its first two points lie beyond
+constexpr double half = 0.5;  // of a square: shift at which its first two points lose the other square
 
 }  // namespace
 
@@ -54,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_point_whose_projection_is_lost_twice_in_a_step_is_kept_be
   const auto same = squares.points.on_same_facets(squares.below.position, squares.shifted(half));
   BOOST_TEST(same.pairs().front().points == 4);
   BOOST_TEST(!squares.points.begin_iteration());
-  BOOST_TEST(squares.seen(0.75).size() == 2);  // more than half a square beyond the edge they are let go
+  BOOST_TEST(squares.seen(0.75).size() == 2);  // points more than half a square beyond the edge are lost
   squares.points.end_iterations();
   BOOST_TEST(squares.seen(half).size() == 2);
 }
@@ -69,7 +70,7 @@ BOOST_AUTO_TEST_CASE(points_that_pass_an_edge_once_are_let_go) {
 }
 
 BOOST_AUTO_TEST_CASE(points_of_a_pair_lie_together_in_whatever_order_they_are_found) {
-  // Nine points of a square, row by row, that face two by two others.
+  // Nine points of a square, row by row, face two by two squares.
   const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 2);
   const GridSurface below = grid_surface(grids[Side::primary], 0);
   const GridSurface above = grid_surface(grids[Side::secondary], 0);

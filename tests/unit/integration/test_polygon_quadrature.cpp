@@ -13,7 +13,7 @@ using namespace mixture_contact;
 
 namespace {
 
-/// Sums over tens of points of numbers of size 1.
+/// Rounding error of sums over tens of points of numbers of size 1.
 constexpr double exact = 1e-14;
 
 using Corners = std::vector<Vector2d>;
@@ -21,7 +21,7 @@ using Points = std::vector<std::pair<Vector2d, double>>;
 
 const Corners square{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 const Corners triangle{{0, 0}, {1, 0}, {0, 1}};
-/// Of three to six corners, none of them like another.
+/// Polygons of three to six corners without symmetry.
 const std::array<Corners, 4> polygons{{{{0.1, 0.2}, {0.9, 0.3}, {0.4, 0.8}},
                                        {{0.1, 0.2}, {0.8, 0.1}, {0.9, 0.7}, {0.2, 0.5}},
                                        {{0.1, 0.2}, {0.6, 0.1}, {0.9, 0.4}, {0.7, 0.8}, {0.2, 0.7}},
@@ -33,7 +33,7 @@ Polygon<double> polygon_of(const Corners& corners) {
   return polygon;
 }
 
-/// Places in the plane and areas.
+/// Quadrature points in the plane with their areas.
 Points points_of(const Corners& corners, const Corners& facet, int order) {
   Points points;
   for (const auto& [place, area] : polygon_quadrature(polygon_of(corners), alignment(polygon_of(facet)), order)) {
@@ -76,7 +76,7 @@ bool inside(const Corners& corners, const Vector2d& x) {
   return true;
 }
 
-/// The same in another order, if each point of one is one of the other.
+/// True if two rules have the same points in any order.
 bool alike(const Points& one, const Points& other) {
   return one.size() == other.size() && std::all_of(one.begin(), one.end(), [&](const auto& point) {
            return std::any_of(other.begin(), other.end(), [&](const auto& match) {
@@ -90,7 +90,7 @@ Corners turned(Corners corners, std::size_t first) {
   return corners;
 }
 
-/// In the plane x = 0, with corners counter-clockwise again.
+/// The polygon mirrored at x = 0, with corners counter-clockwise.
 Corners mirrored(Corners corners) {
   for (Vector2d& corner : corners) corner[0] = -corner[0];
   std::reverse(corners.begin(), corners.end());
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(a_corner_twice_changes_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(order_three_is_exact_to_the_third_degree_whatever_the_corners) {
-  // Of a quadrilateral that is no parallelogram the Jacobian takes one degree of the five.
+  // On a quadrilateral that is no parallelogram, the Jacobian reduces the degree five by one.
   for (const Corners& polygon : polygons) {
     const Points points = points_of(polygon, square, 3);
     for (int a = 0; a <= 3; ++a) {
@@ -196,8 +196,8 @@ BOOST_AUTO_TEST_CASE(order_three_is_exact_to_the_third_degree_whatever_the_corne
 }
 
 BOOST_AUTO_TEST_CASE(a_sliver_has_its_area_on_its_middle_line) {
-  // Corners are rounded to 1e-16, its width so to 1e-4 of itself; its covariance to 1e-16, and the root of that to
-  // 1e-8.
+  // Corners are rounded to 1e-16, and so the width of the sliver to 1e-4 of itself. The rounding error of the
+  // covariance is 1e-16, and that of its root 1e-8.
   const double width = 1e-12;
   const Corners sliver{{0, 0}, {1, 1}, {1 - width, 1 + width}, {-width, width}};
   const Points points = points_of(sliver, square, 2);

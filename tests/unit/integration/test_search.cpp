@@ -46,13 +46,13 @@ bool faces(const GridSurface& surface, std::size_t index, const Vector2d& eta, c
          facing_share(direction, middle_normal(facet.type, facet_coordinates(facet, surface.position))) > 0;
 }
 
-/// The length by which a hit is compared: its gap and how far outside its facet it lies.
+/// The length by which hits are compared: the gap plus the distance outside the facet.
 double length(const GridSurface& surface, std::size_t index, const RayHit& hit) {
   const double outside = distance_outside(surface.mesh.facets[index].type, hit.eta);
   return std::abs(hit.gap) + outside * tangents_at(surface, index, hit.eta).colwise().norm().maxCoeff();
 }
 
-/// What nearest_facing has to find, from a loop over all facets.
+/// The expected result of nearest_facing(), from a loop over all facets.
 std::optional<SurfaceHit> brute_force(const GridSurface& surface, const Ray& ray) {
   std::optional<SurfaceHit> best;
   double shortest = 0;
@@ -76,7 +76,7 @@ std::optional<SurfaceHit> search(const GridSurface& surface, const Ray& ray) {
   return nearest_facing(tree, surface.mesh.facets, surface.position, ray);
 }
 
-/// A single flat facet in z = 0 that faces down, as seen by rays that come from below.
+/// A single flat facet in z = 0 that faces downwards, for rays from below.
 GridSurface plate() { return grid_surface({FacetType::quad4, 1, 1, {0, 0}, {1, 1}, 0, false}, 0); }
 
 Ray upwards(double x, double y, double z, double reach = 10) { return {{x, y, z}, {0, 0, 1}, reach, tolerance}; }
@@ -151,8 +151,8 @@ BOOST_AUTO_TEST_CASE(back_faces_are_rejected) {
 }
 
 BOOST_AUTO_TEST_CASE(a_thin_body_is_met_on_the_face_that_opposes_the_ray) {
-  // Two layers 0.1 apart: the ray starts next to the upper one, which faces up, and finds the lower one, which faces
-  // down.
+  // Two layers are 0.1 apart. The ray starts near the upper one, which faces upwards, and finds the lower one, which
+  // faces downwards.
   GridSurface surface = plate();
   const GridSurface top = grid_surface({FacetType::quad4, 1, 1, {0, 0}, {1, 1}, 0.1, true}, 0);
   Facet facet = top.mesh.facets[0];
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(facets_are_seen_within_the_reach_on_either_side) {
 }
 
 BOOST_AUTO_TEST_CASE(of_facets_at_the_same_distance_the_first_counts) {
-  // The ray meets the corner that four facets share.
+  // The ray hits the corner that four facets share.
   const GridSurface surface = grid_surface({FacetType::quad4, 2, 2, {0, 0}, {1, 1}, 0, false}, 0);
   BOOST_TEST(search(surface, upwards(0.5, 0.5, -1))->facet == 0);
   GridSurface twice = plate();
@@ -185,8 +185,9 @@ BOOST_AUTO_TEST_CASE(of_facets_at_the_same_distance_the_first_counts) {
 }
 
 BOOST_AUTO_TEST_CASE(the_gap_does_not_jump_where_facets_meet) {
-  // A ridge and a valley over x = 0.5 with slopes of 40 degrees: within the search tolerance of the edge a ray hits the
-  // continuation of one facet nearer than the other facet. The gap changes by no more than the slope times the way.
+  // A ridge and a valley at x = 0.5 have slopes of 40 degrees. Within the search tolerance at the edge, a ray hits the
+  // extension of one facet nearer than the other facet. The gap may change by no more than the slope times the
+  // distance.
   constexpr double way = 1e-4;
   const double slope = std::tan(40.0 / 180.0 * std::acos(-1.0));
   for (const double rise : {slope, -slope}) {
@@ -208,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_surface_without_facets_is_never_met) {
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_that_moves_is_searched_as_if_anew) {
-  // Small motions, during which neighbours are kept, and now and then one beyond the slack (a quarter of a facet).
+  // Small motions keep the neighbours; a few are larger than the slack (a quarter of a facet).
   std::mt19937 random(4);
   int found = 0;
   int kept = 0;
@@ -244,7 +245,7 @@ BOOST_AUTO_TEST_CASE(surfaces_out_of_reach_are_told_by_their_boxes) {
   const GridSurface one = plate();
   Matrix3Xd two = one.position;
   two.row(2).array() += 2;
-  // Boxes are padded by a tenth of their diagonal, the root of 2, on both sides.
+  // Boxes are enlarged by a tenth of their diagonal, sqrt(2), on both sides.
   const double apart = 2 - 2 * 0.1 * std::sqrt(2.0);
   BOOST_TEST(!surfaces_within_reach(one.position, two, apart - 1e-9));
   BOOST_TEST(surfaces_within_reach(one.position, two, apart + 1e-9));

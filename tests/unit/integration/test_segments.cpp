@@ -15,15 +15,15 @@ using namespace test;
 
 namespace {
 
-/// Sums over hundreds of points, each the outcome of a few dozen operations, are exact to this.
+/// Rounding error of sums over hundreds of points, each the result of a few dozen operations.
 constexpr double exact = 1e-12;
 
 constexpr std::array<std::pair<int, int>, 3> divisions{{{1, 1}, {2, 3}, {4, 3}}};
 
-/// Triangles and quadrilaterals of one linear piece and of several.
+/// Triangles and quadrilaterals with one and with several linear pieces.
 constexpr std::array differently_cut{FacetType::tri3, FacetType::tri6, FacetType::quad4, FacetType::quad8};
 
-/// Facing unit squares with different divisions.
+/// Facing unit squares with different numbers of cells.
 Scene squares(FacetType one, FacetType two, int cells_one, int cells_two, double overlap = 0.0625) {
   Settings settings = explicit_settings(4, 2, 8);
   settings.integration = Integration::segments;
@@ -35,7 +35,7 @@ FacetPairs pairs_of(const Scene& scene, int order = 0) {
       .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
 }
 
-/// Kinematics at the points of all pairs.
+/// Calls `use` with the kinematics at the points of all pairs.
 void for_each_point(
     const Scene& scene, const FacetPairs& found,
     const std::function<void(const Facet&, const Facet&, const IntegrationPoint&, const PointKinematics&)>& use) {
@@ -51,7 +51,7 @@ void for_each_point(
   }
 }
 
-/// INT psi_a f(x) da per node over a whole surface, by Gauss rules of high order piece by piece.
+/// INT psi_a f(x) da per node over a whole surface, by Gauss rules of high order on the linear pieces.
 VectorXd nodal_integrals(const SurfaceMesh& mesh, const Matrix3Xd& position, bool ordinary_shape,
                          const std::function<double(const Vector3d&)>& f) {
   VectorXd sum = VectorXd::Zero(mesh.nodes);
@@ -72,8 +72,8 @@ VectorXd nodal_integrals(const SurfaceMesh& mesh, const Matrix3Xd& position, boo
   return sum;
 }
 
-/// A facet against four or eight that lie turned over it: edges cross at an angle, as the third derivatives of a
-/// crossing grow with the cube of its cotangent.
+/// A facet opposite four or eight rotated ones. Edges cross at an angle, because the third derivatives of a crossing
+/// grow with the cube of its cotangent.
 Scene turned_squares(FacetType one, FacetType two, std::mt19937& random) {
   Scene scene = squares(one, two, 1, 2, 0.08);
   turn(scene.fields[Side::secondary].position, 0.5);
@@ -85,7 +85,7 @@ using Function = std::function<VectorXd(const VectorXd&)>;
 
 MatrixXd plain_differences(const Function& function, const VectorXd& x) { return differences(function, x); }
 
-/// A surface of 2 x 2 cells and one of 3 x 3 that is turned over it, and larger or smaller by a factor.
+/// A surface of 2 x 2 cells and one of 3 x 3 that is rotated and scaled by a factor.
 Scene turned_beneath(FacetType one, FacetType two, double size, std::mt19937& random) {
   Scene scene = squares(one, two, 2, 3, 0.08);
   Matrix3Xd& x2 = scene.fields[Side::secondary].position;
@@ -95,14 +95,14 @@ Scene turned_beneath(FacetType one, FacetType two, double size, std::mt19937& ra
   return scene;
 }
 
-/// Pairs of a scene whose secondary surface is known.
+/// The pairs of a scene, with the edge neighbours of the secondary surface.
 FacetPairs pairs_with_neighbours(const Scene& scene, int order = 0) {
   const SurfaceMesh& two = scene.mesh[Side::secondary];
   return Segments(scene.mesh[Side::primary].facets, two.facets, order, {}, EdgeNeighbours(two))
       .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
 }
 
-/// Residual of a scene's contact with the status of its nodes held against its tangent.
+/// Relative error of a contact's tangent at constant contact status.
 double tangent_error(const Scene& scene, MatrixXd (*difference)(const Function&, const VectorXd&) = plain_differences) {
   const auto contact = scene.contact();
   accept_any_load(*contact);
@@ -121,11 +121,11 @@ double tangent_error(const Scene& scene, MatrixXd (*difference)(const Function&,
   return (tangent - approximate).norm() / tangent.norm();
 }
 
-/// A primary facet and one that faces it, by themselves.
+/// A primary facet and a facing one, without others.
 struct LonePair {
   IndexedVector<Facet> primary;
   IndexedVector<Facet> secondary;
-  VectorXd nodes;  ///< coordinates of the primary facet's nodes, then of the other's
+  VectorXd nodes;  ///< coordinates of the primary nodes, then of the secondary nodes
 
   LonePair(const Scene& scene, Facet one, Facet two) {
     nodes.resize(3 * (node_count(one.type) + node_count(two.type)));
@@ -143,7 +143,7 @@ struct LonePair {
   }
 };
 
-/// Weights of a pair's points and their places times the weights, which is what integrals take from them.
+/// The weights of a pair's points, and their coordinates times the weights, which are the terms of integrals.
 VectorXd weighted(const PointsOfPair& points) {
   VectorXd result(3 * points.count());
   Index row = 0;
@@ -164,8 +164,8 @@ MatrixXd weighted_motion(const PointsOfPair& points, const IndexedVector<PointMo
   return result;
 }
 
-/// Squares of the error and of the size of the motions of a pair's points, by central differences: slivers vary over
-/// lengths of their width, of which a few are 1e-3.
+/// Squares of the error and of the size of the motions of a pair's points, by central differences. Some overlaps are
+/// slivers of width 1e-3, over which the motions vary.
 Vector2d motion_error(const LonePair& lone) {
   Segments segments(lone.primary, lone.secondary, 0);
   const FacetPairs found = segments.search(lone.x1(lone.nodes), lone.x2(lone.nodes), 1);
@@ -257,9 +257,9 @@ BOOST_AUTO_TEST_CASE(weighted_integrals_of_an_affine_gap_are_exact) {
 }
 
 BOOST_AUTO_TEST_CASE(integrals_do_not_jump_where_corners_pass_edges) {
-  // A corner of four turned facets passes the middle of each edge of a square. The rule of order 2 is in error for x^4;
-  // the error may not jump there. A shift moves the overlaps' edges, 8 long at most in all, by itself, and x^4 is 1 at
-  // most.
+  // A corner of four rotated facets passes the middle of each edge of a square. The rule of order 2 has an error for
+  // x^4, which must not jump there. A shift moves the edges of the overlaps, whose total length is at most 8, by the
+  // same distance, and x^4 is at most 1.
   constexpr double shift = 1e-7;
   const auto integral = [](const Vector2d& corner) {
     Scene scene = squares(FacetType::quad4, FacetType::quad4, 1, 2);
@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(integrals_do_not_jump_where_corners_pass_edges) {
   }
 }
 
-/// Of the secondary shape functions over all integration points.
+/// Integrals of the secondary shape functions over all integration points.
 VectorXd secondary_integrals(const Scene& scene) {
   VectorXd sum = VectorXd::Zero(scene.mesh[Side::secondary].nodes);
   for_each_point(scene, pairs_of(scene),
@@ -333,7 +333,7 @@ BOOST_AUTO_TEST_CASE(a_surface_covered_in_part_carries_the_exact_force_and_flows
     BOOST_TEST(std::abs(total.flow[0] - 2 * 0.25 * 0.36) <= exact);
     const GlobalLayout layout(scene);
     const VectorXd residual = assembled_residual(*scene.contact(), layout, scene.fields, 1);
-    // The loads of the covering surface's nodes are those of a uniform traction and flux.
+    // The nodal loads on the covering surface are those of a uniform traction and flux.
     const VectorXd shares = nodal_integrals(scene.mesh[Side::secondary], x2, true, [](const Vector3d&) { return 1.0; });
     for (Index node = 0; node < shares.size(); ++node) {
       BOOST_TEST(std::abs(residual[layout.entry(Side::secondary, node, 2)] - 4 * 0.0625 * shares[node]) <= exact);
@@ -351,7 +351,7 @@ BOOST_AUTO_TEST_CASE(facets_that_face_away_or_lie_behind_others_are_left_out) {
   Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3);
   SurfaceMesh& mesh = scene.mesh[Side::secondary];
   Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-  // A second, farther layer of the same facets, and a third one between them that faces away.
+  // The surface gets a second, farther layer of the same facets, and a third one in between that faces away.
   const std::vector<Facet> first = mesh.facets;
   const Matrix3Xd near = x2;
   x2.resize(3, 3 * near.cols());
@@ -510,7 +510,7 @@ BOOST_AUTO_TEST_CASE(points_of_unbroken_pairs_may_count_as_fixed) {
 }
 
 BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_ambient_values_from_the_nodes_beyond_it) {
-  // The other surface ends where facets end, but for a slip. The nodes on that line are flux-coupled, those beyond are
+  // The other surface ends at the edge of facets, plus a slip. Nodes on that line are flux-coupled, nodes beyond are
   // not.
   for (const double slip : {1e-12, 1e-7, 1e-2}) {
     PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 1);
@@ -527,8 +527,9 @@ BOOST_AUTO_TEST_CASE(a_sliver_does_not_keep_ambient_values_from_the_nodes_beyond
 }
 
 BOOST_AUTO_TEST_CASE(nodes_covered_least_bear_nothing_unless_they_are_far_away) {
-  // Two facets along x, the second covered to a half: 0.125/0.5 of the area of the nodes at its end, half an edge long
-  // on one side of them, and (0.25 + 0.1875)/0.5 of those in the middle.
+  // Two facets are adjacent along x, and half of the second one is covered. The covered part is 0.125/0.5 of the area
+  // of the nodes at its end, which have half an edge on one side of them, and (0.25 + 0.1875)/0.5 of that of the middle
+  // nodes.
   for (const double away : {0.0, 0.5}) {
     PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 1);
     grids[Side::secondary].high[0] = 0.75;

@@ -13,7 +13,7 @@ namespace {
 constexpr double dt = 0.25;
 constexpr double thickness = 0.25;
 
-/// Two surfaces as one: nodes and facets of the second follow those of the first.
+/// Two surfaces as one; nodes and facets of the second follow those of the first.
 GridSurface joined(const GridSurface& one, const GridSurface& two) {
   GridSurface both = one;
   for (Facet facet : two.mesh.facets) {
@@ -30,14 +30,14 @@ GridSurface joined(const GridSurface& one, const GridSurface& two) {
   return both;
 }
 
-/// The surface as one that its body may meet itself with.
+/// Marks a surface as one whose body may be in contact with itself.
 void meet_itself(SurfaceMesh& mesh) {
   mesh.node_ids.clear();
   for (int node = 0; node < mesh.nodes; ++node) mesh.node_ids.push_back(node);
   mesh.thickness = VectorXd::Constant(mesh.facets.count(), thickness);
 }
 
-/// The scene of two surfaces, and the same with one surface, both of them together, on either side.
+/// The scene of two surfaces, and the same scene with both surfaces together on either side.
 struct Both {
   Scene apart;
   Scene self;
@@ -62,7 +62,7 @@ struct Both {
   }
 };
 
-/// The assembled residual with the same nodes of both sides added up.
+/// The assembled residual, summed over the same nodes of both sides.
 VectorXd added_up(const Scene& scene) {
   const VectorXd residual = assembled_residual(*scene.contact(), GlobalLayout(scene), scene.fields, dt);
   return residual.head(residual.size() / 2) + residual.tail(residual.size() / 2);
@@ -70,7 +70,7 @@ VectorXd added_up(const Scene& scene) {
 
 std::size_t pairs(const Scene& scene) { return scene.contact()->pass(0).pairs().size(); }
 
-/// A strip along x, one cell wide, folded upwards in the middle by so much that its halves meet at an angle.
+/// A strip along x, one cell wide, that is folded upwards in the middle such that its halves meet at an angle.
 Scene folded_strip(int cells, double angle, Integration integration) {
   Grid grid{FacetType::quad4, cells, 1, {-1, 0}, {1, 1}};
   Settings settings = explicit_settings(4, 2, 8);
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(nodes_do_not_face_the_far_side_either) {
 BOOST_AUTO_TEST_CASE(facets_that_share_a_node_do_not_see_each_other) {
   constexpr double sharp = 0.5;
   for (const Integration integration : {Integration::gauss, Integration::segments}) {
-    // Two facets on either side of the fold: only those that do not touch it, and see others that do not.
+    // Only facets that do not touch the fold have pairs, with others that do not touch it.
     BOOST_TEST(pairs(folded_strip(2, sharp, integration)) == 0);
     const Scene strip = folded_strip(4, sharp, integration);
     const auto contact = strip.contact();

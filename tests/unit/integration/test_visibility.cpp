@@ -17,7 +17,7 @@ struct Plate {
   int cells;
 };
 
-/// The upper and the lower side of a plate as one surface; the facets of one side come first.
+/// The upper and lower side of a plate as one surface. `top_first`: whether the facets of the upper side come first.
 GridSurface both_sides_of(FacetType type, const Plate& plate, bool top_first) {
   const Grid upper{type, plate.cells, plate.cells, {0, 0}, {1, 1}, plate.top, true};
   const Grid lower{type, plate.cells, plate.cells, {0, 0}, {1, 1}, plate.bottom, false};
@@ -37,7 +37,7 @@ GridSurface both_sides_of(FacetType type, const Plate& plate, bool top_first) {
   return both;
 }
 
-/// A plate above another one; all their sides are in the surfaces, and those that touch come first.
+/// Two plates on top of each other, each with all its sides as one surface. The touching sides come first.
 Scene plates(FacetType type, Integration integration, const Plate& upper, const Plate& lower) {
   Settings settings = explicit_settings(4, 2, 8);
   settings.integration = integration;
@@ -53,7 +53,7 @@ Scene plates(FacetType type, Integration integration, const Plate& upper, const 
 constexpr Plate above{-0.01, 0.24, 2};
 constexpr Plate below{-0.25, 0, 3};
 
-/// Whether the touching sides of two plates, and no other ones, are paired.
+/// True if the touching sides of two plates are paired, and no others.
 bool touching_sides_alone(const Scene& scene) {
   std::set<int> paired;
   const auto contact = scene.contact();

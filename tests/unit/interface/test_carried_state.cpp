@@ -11,7 +11,7 @@ using namespace test;
 
 namespace {
 
-/// A contact with friction, whose nodes have all that a state holds.
+/// A contact with friction, whose state has values at all nodes.
 Scene rubbing_scene(unsigned seed = 5) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 2), effects_of(true, 1),
               explicit_settings(3, 2, 5));
@@ -22,7 +22,7 @@ Scene rubbing_scene(unsigned seed = 5) {
   return scene;
 }
 
-/// Numbers of the nodes in the mesh of a host, other than those of the surface.
+/// Numbers of the nodes in the mesh of a host, different from those on the surface.
 IndexedVector<int> numbers(int nodes, int first) {
   IndexedVector<int> all(nodes);
   std::iota(all.begin(), all.end(), first);
@@ -33,7 +33,7 @@ NodeNumbers numbers_of(const Scene& scene) {
   return {{numbers(scene.mesh[Side::primary].nodes, 100), numbers(scene.mesh[Side::secondary].nodes, 7)}};
 }
 
-/// Takes the first facet of the primary surface out, with the nodes that no other has.
+/// Removes the first facet of the primary surface, with the nodes that no other facet has.
 Scene without_first_facet(const Scene& scene, NodeNumbers& numbers) {
   Scene left = scene;
   SurfaceMesh& mesh = left.mesh[Side::primary];
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_are_left_keep_theirs_under_new_indices) {
     BOOST_TEST((to.friction.col(node) == from.friction.col(source)));
     BOOST_TEST((after.slips_from[Side::primary].col(node) == before.state.slips_from[Side::primary].col(source)));
   }
-  contact->restore(after);  // throws where it does not fit
+  contact->restore(after);  // throws if the state does not fit
 }
 
 BOOST_AUTO_TEST_CASE(nodes_that_are_new_begin_as_in_a_new_contact) {

@@ -10,7 +10,7 @@ using namespace test;
 
 namespace {
 
-/// A plate in contact with a larger one, whose nodes come to face it and leave it as the plate slides.
+/// A plate in contact with a larger one, whose nodes face the plate or leave it as the plate slides.
 struct SlidingPlate {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
@@ -31,7 +31,7 @@ struct SlidingPlate {
     contact->project(scene.position());
   }
 
-  /// Slides and begins an iteration there.
+  /// Slides the plate and begins an iteration.
   void iterate(double distance) {
     slide(distance);
     contact->begin_iteration(scene.fields);

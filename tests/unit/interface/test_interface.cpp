@@ -16,7 +16,7 @@ namespace {
 constexpr double dt = 0.25;
 constexpr double balance_tolerance = 1e-12;
 
-/// Pairs of facet types of non-matching meshes: every type on either side.
+/// Pairs of facet types for non-matching meshes, with every type on either side.
 constexpr std::array<std::array<FacetType, 2>, 5> mixed_pairs{{{FacetType::quad4, FacetType::tri3},
                                                                {FacetType::tri3, FacetType::quad9},
                                                                {FacetType::tri6, FacetType::quad8},
@@ -31,8 +31,7 @@ Scene random_scene(FacetType one, FacetType two, bool two_pass, std::mt19937& ra
   return scene;
 }
 
-/// Calls `check` for random contacts of mixed facets, with one and two passes, and for a contact of each with
-/// multipliers.
+/// Calls `check` for random contacts of mixed facets with one and two passes, each without and with multipliers.
 template <class Check>
 void for_random_contacts(unsigned seed, const Check& check) {
   std::mt19937 random(seed);
@@ -55,7 +54,7 @@ Scene uniform_scene(FacetType one, FacetType two, bool two_pass) {
   return scene;
 }
 
-/// Force and flow on one side, shape (3 + fields).
+/// Sum of forces and flows on one side, shape (3 + fields).
 VectorXd side_sum(const GlobalLayout& layout, const VectorXd& residual, Side side) {
   VectorXd sum = VectorXd::Zero(layout.per_node());
   for (Index node = 0; node < layout.nodes[side]; ++node)
@@ -63,7 +62,7 @@ VectorXd side_sum(const GlobalLayout& layout, const VectorXd& residual, Side sid
   return sum;
 }
 
-/// What an iteration that has begun changes of the residual, where that is known.
+/// The change of the residual by an iteration that has begun; empty if it is unknown.
 std::optional<VectorXd> changed_residual(const ContactInterface& contact, const GlobalLayout& layout,
                                          const PerSide<SurfaceFields>& fields) {
   VectorXd sum = VectorXd::Zero(layout.size() + 1);
@@ -73,7 +72,7 @@ std::optional<VectorXd> changed_residual(const ContactInterface& contact, const 
   return known ? std::optional<VectorXd>(sum.head(layout.size())) : std::nullopt;
 }
 
-/// All answers of a contact in one vector.
+/// All results of a contact in one vector.
 VectorXd answers(const ContactInterface& contact, const Scene& scene) {
   const GlobalLayout layout(scene);
   std::vector<double> all;
@@ -106,7 +105,7 @@ PerSide<Matrix3Xd> moved(PerSide<Matrix3Xd> position, const Vector3d& shift) {
 
 std::vector<bool> touched_nodes(const Scene& scene, Side side) { return scene.contact()->nodes_in_contact()[side]; }
 
-/// A square plate of one facet type on [0, 3]^2 and one on [1, 2]^2, of which `small` says which is the smaller.
+/// A square plate of one facet type on [0, 3]^2 and one on [1, 2]^2. `small`: side of the smaller plate.
 Scene plates(FacetType one, FacetType two, Side small, bool two_pass, int cells_per_length_of_small) {
   PerSide<Grid> grids = facing_grids(one, two, 0.05);
   for (const Side side : both_sides) {
@@ -128,7 +127,7 @@ double distance_from_inner(const Vector3d& x) {
 
 }  // namespace
 
-/// Relative difference of the tangent of a contact from central differences of its residual.
+/// Relative difference between a contact's tangent and central differences of its residual.
 double tangent_error(const Scene& scene, ContactInterface& contact) {
   const GlobalLayout layout(scene);
   const auto residual = [&](const VectorXd& q) {
@@ -303,7 +302,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_have_moved_by_rounding_have_other_gaps_at_the
   const Matrix3Xd there = scene.fields[Side::secondary].position;
   const double rounding_of_coordinates = std::numeric_limits<double>::epsilon() * there.cwiseAbs().maxCoeff();
   const auto move_by = [&](double by) {
-    scene.fields[Side::secondary].position = there.array() + by;  // along the surface, too
+    scene.fields[Side::secondary].position = there.array() + by;  // also along the surface
     contact->project(scene.position());
   };
   move_by(2 * rounding_of_coordinates);
@@ -315,7 +314,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_have_moved_by_rounding_have_other_gaps_at_the
 
 PerSide<bool> on_both_sides(bool is_so) { return {{is_so, is_so}}; }
 
-/// A contact that is linearised where it begins, and has moved from there.
+/// A contact that was linearised at the start of an iteration and has then moved.
 struct MovedContact {
   MovedContact(Scene at, std::mt19937& random) : scene(std::move(at)), layout(scene), contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
@@ -398,8 +397,8 @@ BOOST_AUTO_TEST_CASE(a_linearisation_that_the_matrix_is_not_of_is_not_corrected)
   BOOST_TEST((change.has_value() && change->isZero(0)));
 }
 
-/// An elastic contact of flat surfaces of which one can be tilted by more than they overlap, so that nodes on one side
-/// are pulled: gaps are linear in that, and loads known to rounding.
+/// An elastic contact of flat surfaces, one of which can be tilted by more than the overlap: nodes on one side are then
+/// in tension. Gaps are linear in the tilt, and loads are known up to rounding.
 struct TiltedContact {
   TiltedContact()
       : scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects_of(false, 0),
@@ -414,7 +413,7 @@ struct TiltedContact {
     contact->project(scene.position());
   }
   NodalLoads loads() const { return contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields)); }
-  /// Nodes whose loads are to be added to the matrix.
+  /// Nodes whose loads have to be added to the matrix.
   std::vector<int> added() const {
     std::vector<int> nodes;
     added_loads(*contact, dt, [&](Side /*first*/, const LoadBlock& load) { nodes.push_back(load.place.node); });
@@ -444,7 +443,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_a
     for (const ReleasedNode& each : released) BOOST_TEST(loads.traction[each.node] == 0);
     BOOST_TEST(loads.traction.maxCoeff() <= 0);
     BOOST_TEST(contact.is_solution(tilted.scene.fields));
-    BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay, and are to be held at zero again
+    BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay the same and have to be kept at zero again
     tilted.tilt(0);
     BOOST_TEST(serves_again(contact, tilted.scene.fields));
     correct(contact, tilted.scene.fields);
@@ -474,7 +473,7 @@ BOOST_AUTO_TEST_CASE(what_elastic_nodes_that_open_and_close_change_of_the_residu
   BOOST_TEST(open[2] < open[1]);
 }
 
-/// How many entries of both sides are known.
+/// The number of known values on both sides.
 Index known(const PerSide<VectorXd>& tractions) {
   return tractions[Side::primary].array().isFinite().count() + tractions[Side::secondary].array().isFinite().count();
 }
@@ -492,14 +491,14 @@ BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_
 
   VectorXd& answered = tractions[Side::primary];
   answered[0] = 1;
-  answered[1] = std::numeric_limits<double>::quiet_NaN();  // the host cannot tell
+  answered[1] = std::numeric_limits<double>::quiet_NaN();  // the host does not know this value
   const double rounding_of_answers = 1e-9 * answered[2];
   answered[3] = -rounding_of_answers;
   const PerSide<NodeFlags> opened = opening_nodes(contact, tractions, tilted.scene.nowhere());
   NodeFlags expected(opened[Side::primary].count(), false);
   expected[0] = true;
   BOOST_TEST((opened[Side::primary] == expected));
-  answered[0] = -1;  // should it have opened it would overlap
+  answered[0] = -1;  // the node would overlap if it had opened
   BOOST_TEST((opening_nodes(contact, tractions, opened) == tilted.scene.nowhere()));
 
   const GlobalLayout layout(tilted.scene);
@@ -519,7 +518,7 @@ BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_
   BOOST_TEST(released.front().node == 0);
 
   open_nodes(contact, tilted.scene.nowhere(), tilted.scene.fields);
-  BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);  // what opened counts once
+  BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);  // opened nodes count once
 }
 
 BOOST_AUTO_TEST_CASE(nodes_close_as_an_iteration_begins_where_its_matrix_answers_that_they_overlap) {
@@ -533,15 +532,17 @@ BOOST_AUTO_TEST_CASE(nodes_close_as_an_iteration_begins_where_its_matrix_answers
   BOOST_TEST(!may_decide(contact));  // there is no matrix yet
   has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
   BOOST_TEST(may_decide(contact));
-  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));  // where steps begin
+  // No nodes are found at the start of a step.
+  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));
   contact.begin_iteration(tilted.scene.fields);
   has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
 
   const PerSide<NodeFlags> found = find_nearing_nodes(contact, back, tilted.scene.fields);
   BOOST_TEST((nearing_nodes(contact) == found));
   const NodeFlags& nearing = found[Side::primary];
-  for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(nearing[node] == !before[node]);  // all when flat
-  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));   // nothing is new
+  // All nodes of the flat surface.
+  for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(nearing[node] == !before[node]);
+  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));  // no further node
   const PerSide<VectorXd> tractions = undecided_tractions(contact, tilted.scene.fields);
   const NodalLaws& laws = contact.pass(0).laws();
   const NodalGaps gaps = contact.pass(0).space().gaps();
@@ -549,7 +550,7 @@ BOOST_AUTO_TEST_CASE(nodes_close_as_an_iteration_begins_where_its_matrix_answers
     if (nearing[node])
       BOOST_TEST(std::abs(tractions[Side::primary][node] - laws.traction_penalty(node) * gaps.gap[node]) < rounding);
   }
-  BOOST_TEST((opening_nodes(contact, tractions, found) == found));  // here they would be pulled
+  BOOST_TEST((opening_nodes(contact, tractions, found) == found));  // the nodes would be in tension
 
   const GlobalLayout layout(tilted.scene);
   const VectorXd residual = assembled_residual(contact, layout, tilted.scene.fields, dt);
@@ -615,12 +616,12 @@ BOOST_AUTO_TEST_CASE(nodes_that_close_are_added_where_the_host_can_and_open_agai
       BOOST_TEST(std::abs(loads.gap[node] - gaps.gap[node]) < rounding);
     }
     BOOST_TEST(contact.is_solution(tilted.scene.fields));
-    BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay, and are to be added again
+    BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay the same and have to be added again
     tilted.tilt(much);
     BOOST_TEST(serves_again(contact, tilted.scene.fields));
     correct(contact, tilted.scene.fields);
     BOOST_TEST(tilted.added().empty());
-    BOOST_TEST(released_nodes(contact).empty());  // the matrix has none of them
+    BOOST_TEST(released_nodes(contact).empty());  // none of the nodes is in the matrix
   }
 }
 
@@ -636,13 +637,14 @@ BOOST_AUTO_TEST_CASE(what_an_added_node_makes_of_the_residual_is_its_work) {
   correct(contact, tilted.scene.fields);
   const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
   BOOST_REQUIRE(change.has_value());
-  // Both surfaces are flat, so that the works of the present state differ from those of the tilted one by its angle.
+  // Both surfaces are flat, so that the works of the present state differ from those of the tilted state by the angle.
   const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
   BOOST_TEST((before + *change - after).norm() < much * after.norm());
   BOOST_TEST(change->norm() > much * after.norm());
 }
 
-/// With a surface whose nodes belong to a rigid body where `is_rigid` of their x, as a part of the surface's length.
+/// True if the linearisation is reused for a flat surface whose nodes are on a rigid body where `is_rigid` is true for
+/// x, relative to the surface's length.
 template <class IsRigid>
 bool serves_flat(Side side, const IsRigid& is_rigid) {
   TiltedContact tilted;
@@ -660,8 +662,8 @@ bool serves_flat(Side side, const IsRigid& is_rigid) {
 
 BOOST_AUTO_TEST_CASE(nodes_that_close_beside_those_of_a_rigid_body_take_a_matrix_and_others_do_not) {
   for (const Side side : both_sides) {
-    BOOST_TEST(serves_flat(side, [](double x) { return x < 0.1; }));   // where nodes are closed all the time
-    BOOST_TEST(!serves_flat(side, [](double x) { return x > 0.9; }));  // where they close
+    BOOST_TEST(serves_flat(side, [](double x) { return x < 0.1; }));   // nodes that are always closed
+    BOOST_TEST(!serves_flat(side, [](double x) { return x > 0.9; }));  // nodes that close
   }
 }
 
@@ -712,7 +714,8 @@ BOOST_AUTO_TEST_CASE(a_correction_of_a_pass_without_contact_adds_nothing_to_the_
       [](const ContactInterface::Location& /*place*/, const VectorXd& /*values*/) { BOOST_TEST(false); }));
 }
 
-/// Meshes that overlap at the start, times a large penalty, would be a geometric stiffness of that size.
+/// Otherwise, meshes that overlap at the start would cause a geometric stiffness of the size of the penalty times the
+/// overlap.
 BOOST_AUTO_TEST_CASE(the_geometric_part_of_a_steps_first_tangent_is_that_of_accepted_loads) {
   for_random_contacts(59, [](const Scene& scene, ContactInterface& contact) {
     const GlobalLayout layout(scene);
@@ -750,7 +753,7 @@ BOOST_AUTO_TEST_CASE(keeping_the_facets_leaves_no_trace_either) {
   using Search = ContactInterface::Search;
   for_random_contacts(7, [](const Scene& scene, ContactInterface& contact) {
     const VectorXd first = answers(contact, scene);
-    // Far away no point hits the facet it saw, but comes back to it.
+    // Far away, no point hits its last facet; all points are paired again after the return.
     for (const double shift : {1e-3, 5.0}) {
       contact.project(moved(scene.position(), {shift, 0, 0}), Search::same_facets);
       contact.project(scene.position(), Search::same_facets);
@@ -842,7 +845,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_have_exact_nodal_values) {
 }
 
 BOOST_AUTO_TEST_CASE(two_passes_share_the_load) {
-  // Once the multipliers hold the load, each pass carries a half, and the nodal pressure is that of the sum.
+  // After the multipliers have taken over the load, each pass bears a half, and the nodal pressure is that of the sum.
   const Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, true);
   const auto contact = scene.contact();
   const GlobalLayout layout(scene);
@@ -865,7 +868,7 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_gives_nothing) {
       scene.fields[Side::secondary].position.row(2).setConstant(height);
       const auto contact = scene.contact();
       const VectorXd all = answers(*contact, scene);
-      BOOST_TEST(all.norm() == 0.0);  // not a number would fail, too
+      BOOST_TEST(all.norm() == 0.0);  // also fails for NaN
       contact->residual(scene.fields, dt, [](const auto&, const VectorXd&) { BOOST_TEST(false); });
       contact->tangent(scene.fields, dt, [](const auto&, const auto&, const MatrixXd&) { BOOST_TEST(false); });
       BOOST_TEST(output(*contact, scene.fields).balance.area == 0.0);
@@ -909,8 +912,9 @@ BOOST_AUTO_TEST_CASE(all_nodes_of_the_smaller_surface_are_in_contact_and_no_dist
 }
 
 BOOST_AUTO_TEST_CASE(nodes_at_the_edge_of_tilted_surfaces_face_what_their_normals_miss) {
-  // Both surfaces rise towards x = 1, as beside a plane of symmetry: the normals of one's nodes at x = 0 pass the edge
-  // of the other at 0.01, a tenth of their distance and a twenty-fifth of a facet. Its next row of nodes lies beyond.
+  // Both surfaces rise towards x = 1, as next to a plane of symmetry. The normals of nodes at x = 0 miss the edge of
+  // the other surface by 0.01, a tenth of their distance and a twenty-fifth of a facet. The next row of nodes misses it
+  // by more.
   for (const FacetType type : all_facets) {
     PerSide<Grid> grids = facing_grids(type, type, 0.1, 4, 6);
     grids[Side::secondary].low[0] = -0.5;
@@ -959,7 +963,7 @@ BOOST_AUTO_TEST_CASE(with_two_passes_nodes_that_face_contact_are_in_contact_too)
 }
 
 BOOST_AUTO_TEST_CASE(nodes_of_graded_facets_are_in_contact_where_a_facet_around_them_is) {
-  // A narrow facet in contact next to a wide one that is not: the nodes between them are in contact.
+  // A narrow facet in contact is adjacent to a wide one that is not: the nodes between them are in contact.
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 2, 1);
   grids[Side::secondary].high[0] = 0.5;
   Scene scene(grids, effects_of(false, 0));
@@ -982,13 +986,14 @@ BOOST_AUTO_TEST_CASE(overlapping_nodes_can_be_moved_onto_the_other_surface) {
   const Matrix3Xd moved_nodes = without_overlap(*contact, scene.position());
   Matrix3Xd expected = scene.fields[Side::primary].position;
   BOOST_TEST(moved_nodes.row(2).maxCoeff() <= rounding);
-  BOOST_TEST((moved_nodes.col(4) == expected.col(4)));  // apart as it was
+  BOOST_TEST((moved_nodes.col(4) == expected.col(4)));  // unchanged
   Scene apart(facing_grids(FacetType::quad4, FacetType::quad8, -0.1), effects_of(false, 0));
   BOOST_TEST((without_overlap(*apart.contact(), apart.position()) == apart.fields[Side::primary].position));
 }
 
 BOOST_AUTO_TEST_CASE(overlapping_nodes_whose_normals_pass_an_edge_are_moved_onto_the_surface_beyond_it) {
-  // Both surfaces rise towards x = 1, as beside a plane of symmetry: there the primary normals pass the other's edge.
+  // Both surfaces rise towards x = 1, as next to a plane of symmetry: the primary normals there miss the edge of the
+  // other surface.
   for (const FacetType type : all_facets) {
     Scene scene(facing_grids(type, type, 0.1, 4, 6), effects_of(false, 0));
     for (SurfaceFields& side : scene.fields) side.position.row(2) += 0.1 * side.position.row(0);

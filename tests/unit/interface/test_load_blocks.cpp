@@ -1,4 +1,4 @@
-/// Tangents of loads at nodes as products of two vectors: the same tangent, with fewer couplings.
+/// Tests of tangents of nodal loads as products of two vectors: the same tangent with fewer couplings.
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -17,7 +17,7 @@ constexpr double dt = 0.25;
 using Location = ContactInterface::Location;
 using Entry = std::pair<Index, Index>;
 
-/// Overlapping, disturbed surfaces, so that geometric parts are other than zero.
+/// Overlapping, disturbed surfaces, such that geometric parts are not zero.
 Scene overlapping(const Effects& effects, FacetType type, const Settings& settings = {}) {
   std::mt19937 random(1);
   Scene scene(facing_grids(type, FacetType::tri3, 0.2, 3, 2), effects, settings);
@@ -42,12 +42,12 @@ std::vector<Scene> scenes() {
           overlapping(effects_of(true, 2), FacetType::tri6), two_pass(), fixed()};
 }
 
-/// A tangent in parts.
+/// The parts of a tangent.
 struct Parts {
-  MatrixXd blocks;    ///< the sum of what comes as blocks
-  MatrixXd products;  ///< the sum of the products of load blocks
+  MatrixXd blocks;    ///< sum of the blocks
+  MatrixXd products;  ///< sum of the products of load blocks
   std::size_t loads;
-  std::set<Entry> entries;  ///< that the blocks fill
+  std::set<Entry> entries;  ///< entries that the blocks fill
 };
 
 Parts parts_of(const Scene& scene, const ContactInterface& contact) {
@@ -77,11 +77,11 @@ void insert(std::set<Entry>& entries, const GlobalLayout& layout, const Location
   }
 }
 
-/// A tangent whose geometric part comes by nodes, products of load blocks multiplied out.
+/// A tangent with the geometric part by nodes and the products of load blocks.
 struct RowsAndRest {
   MatrixXd sum;
-  std::set<Entry> by_rows;  ///< entries that rows fill
-  Index rows = 0;           ///< how many came
+  std::set<Entry> by_rows;  ///< entries that the rows fill
+  Index rows = 0;           ///< number of rows
 };
 
 RowsAndRest rows_and_rest(const Scene& scene, const ContactInterface& contact) {
@@ -101,7 +101,7 @@ RowsAndRest rows_and_rest(const Scene& scene, const ContactInterface& contact) {
   return parts;
 }
 
-/// The couplings of a contact: of blocks, and of the loads, each by its surface, node and field, -1 for the traction.
+/// The couplings of a contact: of blocks, and of loads by surface, node and field (-1 for the traction).
 struct Coupled {
   std::set<Entry> entries;
   std::map<std::tuple<Side, int, int>, std::set<Index>> loads;
@@ -126,7 +126,7 @@ Coupled coupled(const Scene& scene, const ContactInterface& contact) {
   return found;
 }
 
-/// Calls use(scene, contact) for each scene, before its iterations and in one.
+/// Calls use(scene, contact) for each scene, before the iterations and in an iteration.
 template <class Use>
 void for_each_state(const Use& use) {
   for (const Scene& scene : scenes()) {
@@ -137,7 +137,7 @@ void for_each_state(const Use& use) {
   }
 }
 
-/// The entries between nodes of facets that face each other.
+/// The entries between the nodes of facing facets.
 std::set<Entry> of_facing_facets(const Scene& scene, const ContactInterface& contact) {
   const GlobalLayout layout(scene);
   std::set<Entry> entries;
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(rows_and_the_rest_add_up_to_the_tangent_with_friction) {
 
 BOOST_AUTO_TEST_CASE(couplings_hold_what_rows_and_the_rest_fill) {
   std::vector<Scene> all = scenes();
-  for (const bool exchanges : {false, true}) {  // where nodes around a load do not couple with each other
+  for (const bool exchanges : {false, true}) {  // nodes around a load that are not coupled with each other
     all.push_back(overlapping(effects_of(exchanges, exchanges ? 1 : 0), FacetType::quad4));
     all.back().settings.enforcement = Enforcement::lagrange_multipliers;
   }

@@ -10,7 +10,7 @@ using namespace test;
 
 namespace {
 
-/// Moves a scene along x, and its contact with it.
+/// The load rounding of a scene that is moved along x.
 double rounding_at(double x, const Settings& settings) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625), effects_of(false, 0), settings);
   for (const Side side : both_sides) scene.fields[side].position.row(0).array() += x;

@@ -1,4 +1,4 @@
-/// Sums for output: flat pairs say by moments what their points would.
+/// Tests of sums for output: moments of flat pairs give the same sums as points.
 #include "contact/interface/output_sums.h"
 
 #include "surfaces.h"
@@ -24,7 +24,7 @@ struct LoadedScene : Scene {
   FacingFields facing() const { return seen_from(Side::primary, fields); }
   OutputRows rows() const { return OutputRows(effects); }
 
-  /// Point by point.
+  /// The sums over all points.
   OutputSums sums_of_points() const {
     OutputSums sums;
     sums.set_zero(rows().count(), space.nodes(), mesh[Side::secondary].nodes);
@@ -59,7 +59,7 @@ struct LoadedScene : Scene {
   }
 };
 
-/// Row by row, to rounding of its largest entry.
+/// Checks that rows are equal up to the rounding of their largest entry.
 template <class Values>
 void check_equal(const Values& sums, const Values& expected) {
   for (Index row = 0; row < expected.rows(); ++row)
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(flat_pairs_put_out_what_their_points_would) {
     LoadedScene scene;
     if (redistributes) {
       FacetGapSums covered = FacetGapSums::Zero(2, 3);
-      covered.row(0) << 1, 1, 0.1;  // too little of the last node's share for it to carry load
+      covered.row(0) << 1, 1, 0.1;  // the covered part is too small for the last node to carry load
       scene.space.boundary_weights().decide(0, covered, FacetVector::Ones(3));
     }
     BOOST_TEST(scene.space.boundary_weights().heirs(0).has_value() == redistributes);

@@ -8,7 +8,7 @@ using namespace test;
 
 namespace {
 
-/// A surface of `cells` by `cells` facets over one of three by three, which overlap by `overlap`.
+/// A surface of `cells` by `cells` facets opposite one of three by three, which overlap by `overlap`.
 Scene overlapping(double overlap, int cells, bool two_pass = false) {
   Settings settings = explicit_settings(4, 2, 8);
   settings.two_pass = two_pass;

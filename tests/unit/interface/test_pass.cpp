@@ -16,7 +16,7 @@ namespace {
 
 constexpr double dt = 0.25;
 
-/// A pass over the primary surface of a scene, projected in the scene's configuration.
+/// A pass over the primary surface of a scene, after a projection.
 class ProjectedPass : public ContactPass {
  public:
   explicit ProjectedPass(const Scene& scene, double radius = 1)
@@ -34,14 +34,14 @@ void tangent_of(const ContactPass& pass, const Scene& scene, const std::function
   pass.tangent(seen_from(Side::primary, scene.fields), dt, {use, {}, {}});
 }
 
-/// Number of integration points that see the other surface.
+/// The number of integration points that have a pair.
 Index points(const ContactPass& pass) {
   Index count = 0;
   for (const FacetPair& pair : pass.pairs()) count += pair.points;
   return count;
 }
 
-/// Number of integration points of the primary surface.
+/// The number of integration points of the primary surface.
 Index all_points(const Scene& scene) {
   Index count = 0;
   for (const Facet& facet : scene.mesh[Side::primary].facets) {
@@ -61,7 +61,7 @@ void for_each_contact(const ContactPass& pass, const Scene& scene, const Use& us
   }
 }
 
-/// Number of integration points in contact.
+/// The number of integration points in contact.
 int contacts(const ContactPass& pass, const Scene& scene) {
   int count = 0;
   for_each_contact(pass, scene, [&](const PointContact&) { ++count; });
@@ -95,7 +95,8 @@ VectorXd primary_sum(const Patch& patch, const VectorXd& residual) {
   return sum;
 }
 
-/// An unknown: a node (secondary ones are counted from -1 downwards) and -1 for its displacements or one of its fields.
+/// An unknown: the number of its node (secondary nodes count from -1 downwards), and -1 for displacements or the number
+/// of its field.
 using Unknown = std::pair<int, int>;
 
 std::vector<Unknown> unknowns(const Patch& patch) {
@@ -109,14 +110,14 @@ std::vector<Unknown> unknowns(const Patch& patch) {
   return all;
 }
 
-/// Adds all pairs of an unknown of `rows` and one of `columns`.
+/// Adds all couplings between the unknowns of `rows` and those of `columns`.
 void add_couplings(std::set<std::pair<Unknown, Unknown>>& couplings, const Patch& rows, const Patch& columns) {
   for (const Unknown& one : unknowns(rows)) {
     for (const Unknown& two : unknowns(columns)) couplings.insert({one, two});
   }
 }
 
-/// The nodes of the pairs of a pass, primary ones and secondary ones, by the fields that a pair exchanges.
+/// Primary and secondary nodes of the pairs of a pass, by the exchanged fields of the pairs.
 std::map<std::vector<int>, std::pair<std::set<int>, std::set<int>>> nodes_by_fields(const ContactPass& pass,
                                                                                     const Scene& scene) {
   const SurfaceMesh& primary = scene.mesh[Side::primary];
@@ -163,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_uniform_overlap_and_jump_give_their_exact_force_and_flows
     VectorXd sum = VectorXd::Zero(6);
     residual_of(ProjectedPass(scene), scene,
                 [&](const Patch& patch, const VectorXd& r) { sum += primary_sum(patch, r); });
-    // Area 1; t_n = -4/16 along +z; w = 2 (1/2 - 1/4); j = 8 (1 - 1/2) and 8 (0 - 2).
+    // The area is 1; t_n = -4/16 along +z; w = 2 (1/2 - 1/4); j = 8 (1 - 1/2) and 8 (0 - 2).
     VectorXd expected(6);
     expected << 0, 0, -0.25, dt * 0.5, dt * 4, dt * -16;
     BOOST_TEST((sum - expected).norm() <= rounding * expected.norm());
@@ -201,7 +202,7 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
     auto expected = nodes_by_fields(pass, scene);
     BOOST_TEST(expected.size() > 1U);
     std::set<int> known;
-    // Each node once for each set of fields that pairs around it exchange.
+    // Each node comes once for each set of fields that pairs around it exchange.
     residual_of(pass, scene, [&](const Patch& patch, const VectorXd& residual) {
       const auto [primary, secondary] = expected.at(patch.fields);
       BOOST_TEST(patch.primary == std::vector<int>(primary.begin(), primary.end()));
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(fields_that_one_side_does_not_know_are_not_there) {
       known.insert(patch.fields.begin(), patch.fields.end());
       BOOST_TEST(residual.size() == patch.layout().nodes() * (3 + static_cast<Index>(patch.fields.size())));
     });
-    // A tangent of a node's laws couples all facets around the node, and so all fields that any of their pairs
+    // The tangent of a node's laws couples all facets around the node, and therefore all fields that any of their pairs
     // exchanges.
     tangent_of(pass, scene, [&](const TangentBlock& block) {
       for (const int field : block.rows.fields) BOOST_TEST(known.count(field) == 1U);
@@ -225,7 +226,7 @@ BOOST_AUTO_TEST_CASE(the_flow_of_a_field_does_not_depend_on_its_place_or_on_the_
   constexpr int fields = 4;
   Scene scene(facing_grids(FacetType::quad8, FacetType::tri3, 0.05), effects_of(false, fields));
   scene.disturb(0.01, random);
-  const std::array<int, 3> chosen{2, 0, 3};  // the place of field k of the other scene in the first one
+  const std::array<int, 3> chosen{2, 0, 3};  // number of field k of the other scene in the first one
   Scene part(facing_grids(FacetType::quad8, FacetType::tri3, 0.05), effects_of(false, 3));
   for (const Side side : both_sides) {
     part.fields[side].position = scene.fields[side].position;

@@ -11,10 +11,10 @@ using namespace test;
 namespace {
 
 constexpr double dt = 0.25;
-constexpr double around = 0.04;                     // gap beside the spike
+constexpr double around = 0.04;                     // gap next to the spike
 constexpr double deep = 2 * penetration_tolerance;  // the edge of the primary facet is 1
 
-/// A secondary surface of eight by eight facets with a spike in the middle, over a single primary facet.
+/// A secondary surface of eight by eight facets with a spike in the middle, opposite a single primary facet.
 struct Spike {
   Scene scene;
   Index tip = 0;
@@ -29,7 +29,7 @@ struct Spike {
     begin();
   }
 
-  /// The same over a row of primary facets, the secondary surface flat but for what spike_at() makes.
+  /// Replaces the primary facet by a row of facets, and makes the secondary surface flat.
   void over_row(int cells) {
     const GridSurface row = grid_surface({FacetType::quad4, cells, 1}, scene.effects.scalar_fields());
     scene.mesh[Side::primary] = row.mesh;
@@ -37,7 +37,7 @@ struct Spike {
     scene.fields[Side::secondary].position.row(2).setConstant(around);
   }
 
-  /// Moves the secondary node nearest to a place in the middle line; returns it.
+  /// Moves the secondary node nearest to x on the middle line to a depth. Returns the node.
   Index spike_at(double x, double depth) {
     Matrix3Xd& x2 = scene.fields[Side::secondary].position;
     Index node = 0;
@@ -46,7 +46,7 @@ struct Spike {
     return node;
   }
 
-  /// Begins with the scene as it is now.
+  /// Begins with the present scene.
   void begin() {
     contact = scene.contact();
     go_on();
@@ -54,7 +54,7 @@ struct Spike {
 
   UndetectedPenetration check() { return contact->check_penetration(scene.fields); }
 
-  /// Lets the iterations go on where they are, as a host does after a dispute.
+  /// Continues the iterations, as a host does after a rejected convergence.
   void go_on() { contact->begin_iteration(scene.fields); }
 };
 
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_mean_that_is_open_leaves_a_penetration_check_node_without
 }
 
 BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
-  // Two primary facets side by side, and a spike over each: one as deep as sound meshes may go, one deeper.
+  // Two adjacent primary facets have a spike each: one at the tolerance of sound meshes, one deeper.
   Spike spike(deep);
   Scene& scene = spike.scene;
   spike.over_row(2);
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_detected_beside_facets_in_contact) {
-  // A row of primary facets, the first of which is pressed; a spike over the second or the third.
+  // The first of a row of primary facets is in contact. The spike is at the second or the third.
   const auto detected = [](double x) {
     Spike spike(deep);
     spike.over_row(3);
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(residual_and_tangent_agree_with_penetration_check_nodes) {
     spike.check();
     spike.scene.disturb(0.002, random);
     spike.contact->project(spike.scene.position());
-    spike.contact->end_iterations();  // the next tangent takes its geometric part at the loads of the state itself
+    spike.contact->end_iterations();  // the next tangent has its geometric part at the loads of the state itself
     accept_any_load(*spike.contact);
     spike.go_on();
     const Scene& scene = spike.scene;

@@ -1,4 +1,4 @@
-/// The entries that a contact adds to a matrix: exactly those of the effects that it exchanges.
+/// Tests of the entries that a contact adds to a matrix: exactly those of the exchanged effects.
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,12 +11,12 @@ using namespace test;
 namespace {
 
 constexpr int cells = 4;
-constexpr int known_columns = 2;  ///< cells along x in which a field of only a part of the surface is known
+constexpr int known_columns = 2;  ///< number of columns of cells in which a partly known field is known
 
 using Entry = std::pair<Index, Index>;
 
-/// Grids that match node by node, in full contact. Fields of `partly` are known to the secondary surface in its first
-/// `known_columns` columns of cells alone.
+/// Grids that match node by node, in full contact. Only the first `known_columns` columns of cells of the secondary
+/// surface know the fields of `partly`.
 Scene matching(const Effects& effects, FieldMask partly = 0) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, cells, cells), effects,
               explicit_settings(3, 2, 5));
@@ -31,7 +31,7 @@ Scene matching(const Effects& effects, FieldMask partly = 0) {
   return scene;
 }
 
-/// Places of a surface's nodes on the grid.
+/// Positions of a surface's nodes on the grid.
 std::vector<std::array<int, 2>> places(const Scene& scene, Side side) {
   const Matrix3Xd& x = scene.fields[side].position;
   std::vector<std::array<int, 2>> result;
@@ -41,8 +41,7 @@ std::vector<std::array<int, 2>> places(const Scene& scene, Side side) {
   return result;
 }
 
-/// Calls use(side, node, side, node) for every two nodes of the patch around a place of the grid: those on the facets
-/// that meet there.
+/// Calls use(side, node, side, node) for every two nodes on the facets around a point of the grid.
 template <class Use>
 void for_neighbours(const PerSide<std::vector<std::array<int, 2>>>& place, const std::array<int, 2>& centre,
                     const Use& use) {
@@ -58,9 +57,9 @@ void for_neighbours(const PerSide<std::vector<std::array<int, 2>>>& place, const
   }
 }
 
-/// What the effects call for, from the grid alone. The load at a node acts on, and depends on, the nodes of all facets
-/// around it: a traction on displacements, by displacements; a flux on its field, by displacements and that field.
-/// `profile`: made symmetric, since profiles are.
+/// The entries that the effects require, from the grid alone. The load at a node acts on, and depends on, the nodes of
+/// all facets around it. A traction acts on displacements and depends on displacements; a flux acts on its field and
+/// depends on displacements and the field. `profile`: whether the entries are made symmetric, as in a profile.
 std::set<Entry> expected(const Scene& scene, FieldMask partly, bool profile) {
   const GlobalLayout layout(scene);
   const PerSide<std::vector<std::array<int, 2>>> place{{places(scene, Side::primary), places(scene, Side::secondary)}};
@@ -90,7 +89,7 @@ void add(std::set<Entry>& entries, const std::vector<Index>& rows, const std::ve
   }
 }
 
-/// The entries that the contact of a scene adds to a profile, and those that its tangent fills.
+/// The entries that the contact of a scene adds to a profile, including those that its tangent fills.
 std::set<Entry> in_profile(const Scene& scene) {
   const GlobalLayout layout(scene);
   const auto contact = scene.contact();
@@ -124,7 +123,7 @@ std::set<Entry> below(Index size, const std::set<Entry>& entries) {
   return found;
 }
 
-/// The entries between the nodes of facets that face each other.
+/// The entries between the nodes of facing facets.
 std::set<Entry> of_facing_facets(const Scene& scene) {
   const GlobalLayout layout(scene);
   const auto contact = scene.contact();
@@ -142,7 +141,7 @@ std::set<Entry> of_facing_facets(const Scene& scene) {
   return entries;
 }
 
-/// The entries that the tangent fills with values other than zero, made symmetric, since profiles are.
+/// The entries of the tangent that are not zero, made symmetric as in a profile.
 std::set<Entry> other_than_zero(const Scene& scene) {
   const GlobalLayout layout(scene);
   const auto contact = scene.contact();
@@ -161,7 +160,7 @@ std::set<Entry> other_than_zero(const Scene& scene) {
   return entries;
 }
 
-/// Pairs of nodes no further than two apart along a line of `cells` elements.
+/// Number of pairs of nodes at most two apart on a line of `cells` elements.
 constexpr std::size_t near_pairs_on_a_line = 5 * cells - 1;
 
 }  // namespace
@@ -170,7 +169,7 @@ BOOST_AUTO_TEST_CASE(entries_are_those_of_the_effects) {
   for (const auto& [solvent, solutes] : {std::pair{false, 0}, {true, 0}, {true, 1}, {true, 2}, {true, 4}, {false, 1}}) {
     const Scene scene = matching(effects_of(solvent, solutes));
     check(scene);
-    // By hand: two nodes share a facet's node if they are at most two apart along x and along y.
+    // Two nodes share a facet's node if they are at most two apart along x and along y.
     const auto fields = static_cast<std::size_t>(scene.effects.scalar_fields());
     const std::size_t pairs = 4 * near_pairs_on_a_line * near_pairs_on_a_line;
     BOOST_TEST(in_profile(scene).size() == pairs * (9 + 7 * fields));

@@ -9,11 +9,11 @@ namespace {
 const IndexedVector<Facet> one_square{Facet{FacetType::quad4, {0, 1, 2, 3}}};
 constexpr int square = 0;
 
-/// INT psi_a da over a unit square.
+/// INT psi_a da over a unit square, per node.
 FacetVector shares() { return FacetVector::Constant(4, 0.25); }
 
-/// Sums where the other surface covers a unit square from x = 0 to s, at a distance g: near nodes have 2s - s^2 of
-/// their share and far ones s^2.
+/// Integrals if the other surface covers a unit square from x = 0 to s at a distance g: near nodes are covered to 2s -
+/// s^2 of their area, far nodes to s^2.
 FacetGapSums covered(double s, double g = 0) {
   FacetGapSums sums(2, 4);
   const double near = 0.25 * (2 * s - s * s);
@@ -23,7 +23,8 @@ FacetGapSums covered(double s, double g = 0) {
   return sums;
 }
 
-/// Whether the far nodes carry load after the other surface has covered these parts of the facet, a step each.
+/// True if the far nodes carry load after the other surface has covered these fractions of the facet in successive
+/// steps.
 bool far_nodes_carry(std::initializer_list<double> parts) {
   BoundaryWeights weights(one_square);
   for (const double s : parts) {
@@ -36,13 +37,13 @@ bool far_nodes_carry(std::initializer_list<double> parts) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(far_nodes_carry_load_from_a_coverage_of_0_82_on) {
-  // s^2 = 0.7 (2s - s^2) at s = 1.4/1.7.
+  // The equation s^2 = 0.7 (2s - s^2) has the solution s = 1.4/1.7.
   BOOST_TEST(!far_nodes_carry({1.4 / 1.7 - 1e-6}));
   BOOST_TEST(far_nodes_carry({1.4 / 1.7 + 1e-6}));
 }
 
 BOOST_AUTO_TEST_CASE(decisions_hold_over_steps_until_they_are_clearly_wrong) {
-  // s^2 = r (2s - s^2) at s = 2r/(1 + r): 1/2 for r = 1/3, 1.9/1.95 for 0.95.
+  // The equation s^2 = r (2s - s^2) has the solution s = 2r/(1 + r): 1/2 for r = 1/3, and 1.9/1.95 for r = 0.95.
   BOOST_TEST(far_nodes_carry({1, 0.5 + 1e-6}));
   BOOST_TEST(!far_nodes_carry({1, 0.5 - 1e-6}));
   BOOST_TEST(!far_nodes_carry({0.1, 1.9 / 1.95 - 1e-6}));

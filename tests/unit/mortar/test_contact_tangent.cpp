@@ -7,7 +7,7 @@
 
 using namespace test;
 
-/// Residual of a whole contact with the status of its nodes held, as a function of all unknowns.
+/// The residual of a whole contact at constant contact status is differentiated with respect to all unknowns.
 BOOST_AUTO_TEST_CASE(the_assembled_tangent_matches_differences_for_every_pair_of_meshes) {
   std::mt19937 random(7);
   double worst = 0;
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(the_assembled_tangent_matches_differences_for_every_pair_of
   BOOST_TEST(worst <= 1e-7);
 }
 
-/// A started iteration that is moved to another state keeps its status and measures its loads there.
+/// An iteration that is moved to another state keeps its contact status and measures its loads there.
 BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   std::mt19937 random(11);
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 2, 3), effects_of(true, 1),
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   const VectorXd expected = assembled_residual(*started, layout, scene.fields, 0.3);
   BOOST_TEST(relative_error(assembled_residual(*moved, layout, scene.fields, 0.3), expected) <= rounding);
 
-  // Apart by 0.2: a new iteration would find no contact.
+  // The surfaces are 0.2 apart: a new iteration would find no contact.
   for (Index node = 0; node < scene.fields[Side::secondary].position.cols(); ++node)
     scene.fields[Side::secondary].position(2, node) += 0.3;
   moved->project(scene.position());
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_moved_iteration_keeps_its_status_and_measures_anew) {
   BOOST_TEST(std::abs(output(*started, scene.fields).balance.force[2]) == 0.0);
 }
 
-/// Nodes that come to overlap on the way to the other state are in contact there, with the loads that they have then.
+/// Nodes that overlap in the other state are in contact there, with their loads at that state.
 BOOST_AUTO_TEST_CASE(nodes_that_overlap_where_an_iteration_is_moved_to_close) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, -0.05, 2, 3), effects_of(true, 1),
               explicit_settings(2.5, 1.5, 0.8));
@@ -93,10 +93,9 @@ BOOST_AUTO_TEST_CASE(nodes_that_overlap_where_an_iteration_is_moved_to_close) {
   BOOST_TEST(relative_error(assembled_residual(*moved, layout, scene.fields, 0.3), expected) <= rounding);
 }
 
-/// Two squares of side h = 1 under the traction t = penalty * g, which tilt together: their nodes move by a (1 - 2x)
-/// along the normal. The gaps remain, but the points that the normals meet move by 2 a g / h, and the loads of a
-/// surface that rays meet differ by 4 t g a / h between its two edges, along its tilt. With two passes rays meet both
-/// surfaces.
+/// Two squares of side h = 1 under the traction t = penalty * g tilt together: their nodes move by a (1 - 2x) along the
+/// normal. The gaps remain, but the intersections with the normals move by 2 a g/h. The loads of the secondary surface
+/// therefore differ by 4 t g a/h between its two edges, along its tilt. Two passes have such loads on both surfaces.
 BOOST_AUTO_TEST_CASE(surfaces_that_rays_meet_are_pushed_the_way_both_tilt) {
   for (const bool two_pass : {false, true}) {
     const double penalty = 2.5;
@@ -122,7 +121,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_rays_meet_are_pushed_the_way_both_tilt) {
   }
 }
 
-/// An augmentation doubles the loads until the gaps are closed. The stiffness is that of the equilibrium that it left.
+/// An augmentation doubles the loads until the gaps are closed. The tangent remains that of the equilibrium before.
 BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
   std::mt19937 random(13);
   Settings settings = explicit_settings(2.5, 1.5, 0.8);
@@ -143,9 +142,9 @@ BOOST_AUTO_TEST_CASE(an_augmentation_leaves_the_tangent_as_it_is) {
   BOOST_TEST(relative_error(assembled_residual(*contact, layout, scene.fields, 0.3), VectorXd(2 * load)) <= rounding);
 }
 
-/// Where a step begins, a jump at nodes that were not flux-coupled when the last one ended is not one that fluxes have
-/// made: times a large penalty its area would be a wrong stiffness of that size. The jump of one value everywhere
-/// varies with the fields alone, so what is left is the tangent without a jump.
+/// At the start of a step, a jump at nodes that were not flux-coupled at the end of the last step does not come from
+/// fluxes: times a large penalty, it would be a large error of the tangent. A uniform jump varies with the fields only,
+/// so that the result is the tangent without a jump.
 BOOST_AUTO_TEST_CASE(a_step_begins_without_fluxes_at_nodes_that_were_not_flux_coupled) {
   std::mt19937 random(18);
   Scene scene(facing_grids(FacetType::quad4, FacetType::tri3, 0.08, 1, 2), effects_of(true, 1),
@@ -165,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_step_begins_without_fluxes_at_nodes_that_were_not_flux_co
   BOOST_TEST((tangent_where(true, 2) - without).norm() > 0.01 * without.norm());
 }
 
-/// What an accepted step leaves behind is its status.
+/// An accepted step leaves its status in the state of the contact.
 BOOST_AUTO_TEST_CASE(an_accepted_step_remembers_which_nodes_were_flux_coupled) {
   Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.08, 1, 1), effects_of(true, 0),
               explicit_settings(2.5, 1.5, 0.8));
@@ -182,8 +181,8 @@ BOOST_AUTO_TEST_CASE(an_accepted_step_remembers_which_nodes_were_flux_coupled) {
   BOOST_TEST((flux_coupled == NodeFlags(4, true)));
 }
 
-/// The geometric part of the tangent is made as an iteration begins, from the points that averages are linearised at.
-/// Elsewhere it is made from the points there.
+/// The geometric part of the tangent is computed at the start of an iteration, from the points at which averages are
+/// linearised; at other positions it is computed from the points there.
 BOOST_AUTO_TEST_CASE(the_tangent_is_the_same_a_rounding_away_from_where_an_iteration_linearises) {
   std::mt19937 random(17);
   for (const bool two_pass : {false, true}) {

@@ -11,7 +11,7 @@ using namespace test;
 
 namespace {
 
-/// What a sliding contact is like.
+/// Properties of a sliding contact.
 struct Sliders {
   double coefficient;  ///< large: every node sticks
   bool solvent;        ///< both sides exchange the solvent
@@ -39,7 +39,7 @@ void turn_all(Scene& scene, double angle, const Vector3d& axis) {
   for (SurfaceFields& field : scene.fields) field.position = (rotation * field.position).eval();
 }
 
-/// A contact whose step began elsewhere: both bodies have turned since and slid along each other.
+/// A contact whose bodies have rotated and slid along each other since the start of the step.
 struct SlidingStep {
   Scene scene;
   std::unique_ptr<ContactInterface> contact;
@@ -72,8 +72,8 @@ struct SlidingStep {
   }
 };
 
-/// The part of the tangent that a frictionless contact does not have, with differences: a much smaller error of the
-/// whole would hide it.
+/// Relative error of the part of the tangent that a frictionless contact does not have. The much larger rest of the
+/// tangent would hide this error.
 double tangent_error(const SlidingStep& step) {
   const GlobalLayout layout(step.scene);
   const VectorXd q = layout.pack(step.scene.fields);
@@ -83,7 +83,7 @@ double tangent_error(const SlidingStep& step) {
   return (exact - approximate).norm() / exact.norm();
 }
 
-/// Which facets the points of both sides are on, pair by pair.
+/// The facets of both sides on which the points are, pair by pair.
 std::vector<std::array<Index, 3>> pairing(const ContactInterface& contact) {
   std::vector<std::array<Index, 3>> found;
   for (const FacetPair& pair : contact.pass(0).space().facing().pairs())
@@ -91,8 +91,8 @@ std::vector<std::array<Index, 3>> pairing(const ContactInterface& contact) {
   return found;
 }
 
-/// Whether every difference is taken between states in which all points are on the same facets: where one crosses an
-/// edge the residual has a jump, and no derivative.
+/// True if all points stay on the same facets in all differences. The residual jumps, and has no derivative, where a
+/// point crosses an edge.
 bool is_smooth(const SlidingStep& step) {
   const GlobalLayout layout(step.scene);
   const VectorXd q = layout.pack(step.scene.fields);
@@ -109,7 +109,7 @@ bool is_smooth(const SlidingStep& step) {
   return smooth;
 }
 
-/// The first of random steps that is smooth.
+/// The first smooth one of random steps.
 SlidingStep smooth_step(const std::function<Scene()>& scene, std::mt19937& random) {
   for (;;) {
     SlidingStep step(scene(), random);
@@ -117,7 +117,7 @@ SlidingStep smooth_step(const std::function<Scene()>& scene, std::mt19937& rando
   }
 }
 
-/// The mean normal of a node in contact.
+/// The mean normal of the first node in contact.
 Vector3d normal_of_first_node(const SlidingStep& step) {
   const NodalLoads loads = step.contact->pass(0).nodal_loads(
       {step.scene.fields[Side::primary], step.scene.fields[Side::secondary]});
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(the_tangent_matches_differences_where_points_on_segments_co
   }
 }
 
-/// Only one side has fluid: its pressure is no exchanged field, but friction depends on it.
+/// Only one side has fluid: its pressure is not an exchanged field, but friction depends on it.
 BOOST_AUTO_TEST_CASE(the_pressure_of_the_side_that_has_fluid_acts_on_friction) {
   std::mt19937 random(9);
   for (const Side side : both_sides) {
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_depend_on_the_fluid_has_no_column_of_it) {
   const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, false}), random);
   step.contact->for_each_coupling(
       [](const ContactInterface::Location& at) { BOOST_TEST(at.patch.fields.size() == 0u); });
-  // All load is the solid's: its derivative with the pressure is zero, and so is its block.
+  // The solid bears the whole load: the derivative with the pressure is zero, and there is no block for it.
   const SlidingStep dry(sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, true, 1.0}), random);
   using Location = ContactInterface::Location;
   dry.contact->tangent(dry.scene.fields, 0.3, [](const Location& /*rows*/, const Location& columns, const MatrixXd&) {
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(slip_has_the_size_of_the_bound_and_points_against_the_slip)
   BOOST_TEST(sliding > 0);
 }
 
-/// Both bodies turn together, by 90 degrees about any axis: no slip, and friction that turns with them.
+/// Both bodies rotate together by 90 degrees about an axis: there is no slip, and friction rotates with them.
 BOOST_AUTO_TEST_CASE(friction_turns_with_both_bodies) {
   std::mt19937 random(14);
   for (const Integration integration : {Integration::gauss, Integration::segments}) {
@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(friction_turns_with_both_bodies) {
   }
 }
 
-/// An accepted step leaves its friction behind as what the next one begins with.
+/// The next step begins with the friction of an accepted step.
 BOOST_AUTO_TEST_CASE(an_accepted_step_keeps_its_friction_and_measures_slip_anew) {
   std::mt19937 random(15);
   for (const double coefficient : {10.0, 0.2}) {
@@ -307,7 +307,7 @@ BOOST_AUTO_TEST_CASE(an_accepted_step_keeps_its_friction_and_measures_slip_anew)
     BOOST_TEST(after.friction.slip.norm() <= 1e-14);
     BOOST_TEST((after.slips == before.slips));
     BOOST_TEST((after.friction.traction - before.friction.traction).norm() <= rounding);
-    // Twice the same
+    // The same iteration again.
     const ContactInterface::State state = step.contact->state();
     step.contact->restore(state);
     step.contact->begin_iteration(step.scene.fields);
@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(an_accepted_step_keeps_its_friction_and_measures_slip_anew)
   }
 }
 
-/// What is forgotten leaves nothing behind: the next step begins as the first one did.
+/// After forget_steps(), the next step begins as the first one did.
 BOOST_AUTO_TEST_CASE(a_forgotten_step_leaves_no_friction_and_no_status_behind) {
   std::mt19937 random(18);
   const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {0.2, true, false}), random);
@@ -329,7 +329,7 @@ BOOST_AUTO_TEST_CASE(a_forgotten_step_leaves_no_friction_and_no_status_behind) {
   BOOST_TEST((left.flux_coupled == first.flux_coupled));
 }
 
-/// Uzawa's update makes the present friction the trial of surfaces that do not slide any further.
+/// After Uzawa's update, the present friction is the trial of surfaces that do not slide further.
 BOOST_AUTO_TEST_CASE(an_augmentation_takes_the_friction_over) {
   std::mt19937 random(16);
   const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {10, false, true}), random);
@@ -346,8 +346,8 @@ BOOST_AUTO_TEST_CASE(an_augmentation_takes_the_friction_over) {
   }
 }
 
-/// Within an iteration trial and bound are linear in the positions, the bound below zero, too: an overlap that comes
-/// out as a gap of second order must not make an iteration without friction.
+/// Within an iteration, trial and bound are linear in the positions, also if the bound is negative: an overlap that
+/// becomes a gap of second order must not lead to an iteration without friction.
 BOOST_AUTO_TEST_CASE(within_an_iteration_trial_and_bound_are_linear) {
   std::mt19937 random(17);
   const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::tri3, {0.2, false, false}), random);
@@ -372,8 +372,8 @@ BOOST_AUTO_TEST_CASE(within_an_iteration_trial_and_bound_are_linear) {
   BOOST_TEST(below_zero > 0);
 }
 
-/// A node that closes within iterations begins as one does where iterations begin, but for its direction, which does
-/// not turn: the bound that would turn it is that of an overlap, which does not tell its load.
+/// A node that closes within iterations begins as at the start of iterations, except that its direction of friction is
+/// constant, because the bound of an overlap does not indicate its load.
 BOOST_AUTO_TEST_CASE(a_node_that_closes_within_iterations_sticks_or_slides_as_its_own_trial_says) {
   for (const double shift : {0.02, 0.2}) {
     Scene scene = sliding_scene(FacetType::quad4, FacetType::quad4, {0.5, false, false});
@@ -399,7 +399,7 @@ BOOST_AUTO_TEST_CASE(a_node_that_closes_within_iterations_sticks_or_slides_as_it
   }
 }
 
-/// What pulls it may be what holds it.
+/// The friction of a sticking node may be the cause of its tension.
 BOOST_AUTO_TEST_CASE(a_node_that_sticks_and_is_pulled_slides_before_it_opens) {
   Scene scene = sliding_scene(FacetType::quad4, FacetType::quad4, {10, false, false});
   const auto contact = scene.contact();

@@ -6,8 +6,8 @@
 
 using namespace test;
 
-/// Surfaces that are flat and parallel, of which one side is moved along the normal, each node by another distance: as
-/// seen along the normals nothing moves, and gaps are linear in that.
+/// One of two flat, parallel surfaces moves along the normal, each node by another distance: points do not move in the
+/// projection along the normals, and gaps are linear in the distances.
 BOOST_AUTO_TEST_CASE(changes_along_the_normals_of_flat_surfaces_are_those_of_the_gaps) {
   std::mt19937 random(7);
   for (const FacetType type : {FacetType::tri3, FacetType::quad4}) {

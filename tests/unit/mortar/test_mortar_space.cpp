@@ -1,4 +1,4 @@
-/// Averages over the pairs around nodes: flat pairs say by moments what their points would.
+/// Tests of averages over the pairs around nodes: moments of flat pairs give the same averages as points.
 #include "contact/mortar/mortar_space.h"
 
 #include "surfaces.h"
@@ -23,7 +23,7 @@ struct FlatScene : Scene {
     return point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, facing().primary.position),
                             shape_functions(two.type, place.eta), facet_coordinates(two, facing().secondary.position));
   }
-  /// Sums over the points of all pairs with the functions of the space: of 1, of gaps, of jumps.
+  /// Sums of 1, of gaps and of jumps over the points of all pairs, weighted with the functions of the space.
   Matrix3Xd sums_of_points() const {
     Matrix3Xd sums = Matrix3Xd::Zero(3, space.nodes());
     for (const FacetPair& pair : space.facing().pairs()) {
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(flat_pairs_average_as_their_points_do) {
     FlatScene scene;
     if (redistributes) {
       FacetGapSums covered = FacetGapSums::Zero(2, 3);
-      covered.row(0) << 1, 1, 0.1;  // too little of the last node's share for it to carry load
+      covered.row(0) << 1, 1, 0.1;  // the covered part is too small for the last node to carry load
       scene.space.boundary_weights().decide(0, covered, FacetVector::Ones(3));
     }
     BOOST_TEST(scene.space.boundary_weights().heirs(0).has_value() == redistributes);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(flat_pairs_average_as_their_points_do) {
 BOOST_AUTO_TEST_CASE(nodes_of_an_edge_average_over_the_side_that_is_faced_best) {
   constexpr double overlap = 0.01;
   for (const Integration integration : {Integration::gauss, Integration::segments}) {
-    for (const double turned : {50.0, 58.0}) {  // degrees by which one half of a strip is turned away
+    for (const double turned : {50.0, 58.0}) {  // rotation of one half of a strip in degrees
       Settings settings = explicit_settings(4, 2, 8);
       settings.integration = integration;
       const Grid strip{FacetType::quad4, 4, 1, {-1, 0}, {1, 1}};

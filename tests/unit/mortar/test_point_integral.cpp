@@ -10,10 +10,10 @@ using namespace test;
 
 namespace {
 
-constexpr int fields = 3;  // a solvent and two solutes; which is which does not matter to the point integral
+constexpr int fields = 3;  // a solvent and two solutes; the point integral treats them alike
 constexpr double balance_tolerance = 1e-12;
 
-/// Calls `check` for random contacts of every pair of facets.
+/// Calls `check` for random contacts of every pair of facet types.
 template <class Check>
 void for_every_pair(unsigned seed, int samples, const Check& check) {
   std::mt19937 random(seed);
@@ -34,11 +34,12 @@ std::vector<Index> entries(const LocalLayout& layout, bool primary, int kind) {
   return result;
 }
 
-/// Whether the equations of one kind depend on the unknowns of another: all on displacements, else only on their own
-/// field.
+/// True if the equations of one kind depend on the unknowns of another: all depend on displacements, and a field on
+/// itself.
 bool coupled(int row, int column) { return column < 0 || row == column; }
 
-/// Rows that pick the sum over all nodes of displacement component i (kind -1 - i) or of field k (kind k).
+/// A vector whose product with a residual is the sum over all nodes of displacement component i (kind -1 - i) or of
+/// field k (kind k).
 VectorXd sum_of(const LocalLayout& layout, int kind) {
   VectorXd pick = VectorXd::Zero(layout.size());
   for (Index node = 0; node < layout.nodes(); ++node) {
@@ -103,7 +104,7 @@ BOOST_AUTO_TEST_CASE(forces_and_flows_of_the_two_sides_cancel) {
 }
 
 BOOST_AUTO_TEST_CASE(moments_of_the_two_sides_cancel_at_any_gap) {
-  // The traction acts along the line from x1 to its projection x2, so its two sides have no lever arm.
+  // The traction acts along the line from x1 to its projection x2, and the moments of both sides cancel.
   for_every_pair(3, 20, [](const RandomContact& contact) {
     const VectorXd residual = contact.residual(contact.unknowns);
     const Vector3d moment = moment_sum(contact.layout, residual, contact.unknowns);

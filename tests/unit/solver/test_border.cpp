@@ -12,7 +12,7 @@ namespace {
 
 constexpr int size = 7;
 
-/// A matrix that is far from singular, however its rows and columns are left out, and what is asked of its inverse.
+/// A matrix that is far from singular for any removed rows and columns, with a count of its solutions.
 struct System {
   explicit System(unsigned seed) {
     std::mt19937 random(seed);
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(nothing_that_is_held_costs_nothing) {
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_singular_with_them_holds_none) {
   System system(9);
   system.matrix = Eigen::MatrixXd::Identity(size, size);
-  system.matrix.topLeftCorner(2, 2) << 0, 1, 1, 0;  // the first unknown stands in the second equation alone
+  system.matrix.topLeftCorner(2, 2) << 0, 1, 1, 0;  // the first unknown is in the second equation only
   std::vector<double> right = load;
   BOOST_TEST(!Border().hold(system.solver(), zeros({0}), system.solve(right), right));
   BOOST_TEST(!Border().answer(system.solver(), zeros({0}), system.solve(right)).has_value());

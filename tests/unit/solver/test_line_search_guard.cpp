@@ -7,7 +7,7 @@ using newton::LineSearchGuard;
 
 namespace {
 
-/// A step whose last increment was searched down to a part.
+/// A step whose last increment the line search has shortened to a fraction.
 struct Searched {
   explicit Searched(double part) {
     guard.begin_step();

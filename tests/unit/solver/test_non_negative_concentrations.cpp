@@ -9,10 +9,10 @@ using newton::Place;
 
 namespace {
 
-constexpr Place first{0, 1};   // the concentration of node 0: equation 1
-constexpr Place second{1, 1};  // that of node 1: equation 3
+constexpr Place first{0, 1};   // concentration of node 0: equation 1
+constexpr Place second{1, 1};  // concentration of node 1: equation 3
 
-/// Node 0 at -0.1 in the solver's vectors, node 1 at 1.
+/// A model with -0.1 at node 0 in the solver's vectors, and 1 at node 1.
 class Undershoot : public FakeSolver {
  public:
   Undershoot() : FakeSolver(2) {
@@ -68,11 +68,11 @@ BOOST_AUTO_TEST_CASE(a_held_one_is_freed_once_a_step_where_its_balance_wants_it_
   BOOST_TEST(!helper.is_settled());
   BOOST_TEST(helper.adapt());
   BOOST_TEST(solver.equation(first) == 1);
-  // The vectors say what the node says, so that the next update does not bring the undershoot back.
+  // The vectors contain the nodal value, such that the next update does not restore the undershoot.
   BOOST_TEST(solver.total[1] + solver.change[1] == 0);
   solver.change[1] -= 0.2;
   BOOST_TEST(helper.adapt());
-  BOOST_TEST(helper.is_settled());  // held again, and not freed a second time
+  BOOST_TEST(helper.is_settled());  // prescribed again, and not freed a second time
 }
 
 BOOST_AUTO_TEST_CASE(a_reaction_that_draws_down_frees_nothing) {
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(reactions_are_evaluated_where_the_solver_has_not) {
   Undershoot solver;
   NonNegativeConcentrations helper(solver);
   helper.adapt_before_residual();
-  BOOST_TEST(solver.evaluations == 0);  // nothing was held
+  BOOST_TEST(solver.evaluations == 0);  // no concentration was prescribed
   helper.adapt_before_residual();
   BOOST_TEST(solver.evaluations == 1);
 }
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(between_steps_nothing_is_held_and_the_next_one_resumes) {
   solver.begin_step();
   helper.begin_iterations();
   BOOST_TEST(helper.holds(first));
-  solver.set_value(first, 0.5);  // somebody else has set it
+  solver.set_value(first, 0.5);  // another object has set it
   helper.begin_iterations();
   BOOST_TEST(solver.equation(first) == 1);
 }
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(after_a_cutback_the_vectors_are_those_of_the_start) {
   NonNegativeConcentrations helper(solver);
   helper.adapt();
   solver.reactions[1] = 1;
-  helper.adapt();  // freed: the vectors were changed
+  helper.adapt();  // frees the concentration and sets the vectors
   solver.begin_step();
   solver.set_value(first, 0.25);
   helper.begin_iterations();
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_value_can_be_left_to_somebody_else) {
   BOOST_TEST(!helpers.keeps(second, true));
   BOOST_TEST(!helpers.keeps(first, false));
   BOOST_TEST(!helpers.keeps(first, true));
-  BOOST_TEST(solver.equation(first) == newton::prescribed(1));  // as it was
+  BOOST_TEST(solver.equation(first) == newton::prescribed(1));  // unchanged
   BOOST_TEST(record.summary().find("non_negative_concentrations 1") != std::string::npos);
   BOOST_CHECK_THROW(helpers.unavailable(newton::Device::predictor), std::invalid_argument);
 }

@@ -14,7 +14,7 @@ using newton::PastSteps;
 
 namespace {
 
-/// States of two nodes as functions of time.
+/// States of two nodes as a function of time.
 using State = std::function<RowVector2d(double)>;
 
 MatrixXd change(const State& state, double from, double to) { return state(to) - state(from); }
@@ -34,15 +34,15 @@ Path path(const State& state, double start, const std::vector<double>& lengths) 
   return path;
 }
 
-/// Step lengths, each longer than the last by a factor.
+/// Step lengths that grow by a constant factor.
 std::vector<double> growing(double first, double factor, int count) {
   std::vector<double> lengths;
   for (int n = 0; n < count; ++n) lengths.push_back(first * std::pow(factor, n));
   return lengths;
 }
 
-/// A divided difference of degree m over equal steps sums up 2^m states, each rounded; degrees 1 to 5 are summed, and
-/// the part of the last one is a quotient of two of them.
+/// Rounding error of a prediction. A divided difference of degree m over equal steps is a sum of 2^m states with
+/// rounding errors; degrees 1 to 5 are summed, and the factor on the last one is a quotient of two sums.
 double rounding_of(const RowVector2d& state) {
   return 128 * std::numeric_limits<double>::epsilon() * state.cwiseAbs().maxCoeff();
 }
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(a_decay_over_equal_steps_is_predicted_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_a_polynomial_of_the_number_of_steps_is_predicted_over_growing_ones) {
-  // With steps longer by r each, t = (r^s - 1)/(r - 1) after s of them.
+  // If step lengths grow by the factor r, t = (r^s - 1)/(r - 1) after s steps.
   const double r = 1.2;
   const State quintic = [r](double t) {
     const double steps = std::log1p((r - 1) * t) / std::log(r);
@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE(what_is_a_polynomial_of_the_number_of_steps_is_predicted_ov
 }
 
 BOOST_AUTO_TEST_CASE(growth_is_predicted_to_the_sixth_difference) {
-  // sqrt t = r^(s/2) and t = r^s: a polynomial of degree m leaves their differences of order m + 1, (1 - 1/sqrt
-  // r)^(m+1) and (1 - 1/r)^(m+1) of the states.
+  // With sqrt t = r^(s/2) and t = r^s, a polynomial of degree m has the error of differences of order m + 1: (1 -
+  // 1/sqrt r)^(m+1) and (1 - 1/r)^(m+1) times the states.
   const double r = 1.15;
   const State root = [](double t) { return RowVector2d(std::sqrt(t), t); };
   const Path past = path(root, 1 / (r - 1), growing(1, r, 10));
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_step_far_longer_than_the_last_is_predicted_by_a_parabola_
 }
 
 BOOST_AUTO_TEST_CASE(steps_that_shrink_to_a_point_tell_nothing_beyond_it_by_stretched_time) {
-  // With steps of r each, t = (1 - r^s)/(1 - r) after s of them; they would end at 1/(1 - r).
+  // If step lengths shrink by the factor r, t = (1 - r^s)/(1 - r) after s steps; they would end at 1/(1 - r).
   const double r = 0.61;
   const State quintic = [r](double t) {
     const double steps = std::log1p(-(1 - r) * t) / std::log(r);
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(steps_that_shrink_to_a_point_tell_nothing_beyond_it_by_stre
   const Path past = path(quintic, 0, growing(1, r, 8));
   const double next = std::pow(r, 8);
   const double left = 1 / (1 - r) - past.time;
-  // Time, rounded to a part in 1e16, moves s by that over what is left of it.
+  // Time has a rounding error of 1e-16, which changes s by that error divided by the remaining time.
   BOOST_TEST(error(past, quintic, next) <= rounding_of(quintic(past.time + next)) / left);
   for (const double dt : {left, 2 * left, 100 * left}) BOOST_TEST(past.steps.predicted(dt).allFinite());
 }

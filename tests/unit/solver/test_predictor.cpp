@@ -11,8 +11,8 @@ using newton::Predictor;
 
 namespace {
 
-/// A node whose values grow by the same in each step, solved by the predictor's user as FEBio does: with a residual
-/// that is the distance to the solution.
+/// A node whose values grow by the same amount in each step. It uses the predictor as FEBio does; the residual is the
+/// distance to the solution.
 class Ramp {
  public:
   Ramp() {
@@ -29,7 +29,7 @@ class Ramp {
     solver.begin_step();
     predictor.begin_step();
   }
-  /// To the solution, from wherever the step has begun.
+  /// Solves the step, from any start, and ends it.
   void end_step() {
     const double missing = time - solver.total[0];
     solver.solve({missing, missing});
@@ -51,7 +51,7 @@ class Ramp {
   int arrivals = 0;
 };
 
-/// Steps enough for a prediction.
+/// A number of steps that is sufficient for a prediction.
 constexpr int enough = 3;
 
 class MemoryArchive : public newton::Archive {
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(a_smooth_step_begins_at_the_predicted_state) {
   ramp.solver.load = {0, 0};
   ramp.predictor.complete_residual();
   BOOST_TEST(ramp.solver.load[0] == 1e-4, boost::test_tools::tolerance(1e-12));
-  ramp.predictor.complete_residual();  // with the first matrix alone
+  ramp.predictor.complete_residual();  // only the first matrix has this part
   BOOST_TEST(ramp.solver.load[0] == 1e-4, boost::test_tools::tolerance(1e-12));
 }
 
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(a_prediction_that_inverts_an_element_is_dropped_and_the_sta
   int restored = 0;
   ramp.solver.on_restore = [&] {
     ++restored;
-    ramp.predictor.rewind();  // as FEBio tells of every state that it restores
+    ramp.predictor.rewind();  // FEBio reports every restored state in this way
   };
   BOOST_TEST(!ramp.predict());
   BOOST_TEST(restored == 1);
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(a_prediction_that_inverts_an_element_is_dropped_and_the_sta
   const std::vector<double> load = ramp.solver.load;
   ramp.predictor.complete_residual();
   BOOST_TEST(ramp.solver.load == load);
-  // It is no failed attempt: the next step may begin ahead.
+  // The rejected prediction is not a failed attempt: the next step may begin with a prediction.
   ramp.solver.is_inverted = [](const std::vector<double>&) { return false; };
   ramp.end_step();
   ramp.begin_step();
@@ -218,7 +218,8 @@ BOOST_AUTO_TEST_CASE(a_residual_that_is_no_number_is_larger) {
 }
 
 BOOST_AUTO_TEST_CASE(the_plain_start_has_prescribed_values_where_they_will_be) {
-  // Node 1 is driven from 0 to 1 in each step and drags node 0 along: at rest the residual is that of the drive.
+  // Node 1 is prescribed from 0 to 1 in each step and moves node 0: without motion of node 0, the residual is the
+  // prescribed increment.
   FakeSolver solver(2);
   solver.set_equation({1, 0}, newton::prescribed(2));
   solver.residual = [](const std::vector<double>& at) { return std::vector<double>{at[2] - at[0], 0.0, 0.0, 0.0}; };

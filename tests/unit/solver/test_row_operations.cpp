@@ -1,4 +1,4 @@
-/// Operations on rows of a matrix leave solutions as they are where right-hand sides take them, too.
+/// Tests that row operations do not change solutions if they are applied to right-hand sides as well.
 #include "solver/row_operations.h"
 
 #include "surfaces.h"

@@ -21,8 +21,8 @@ Eigen::VectorXd vector(const std::vector<double>& values) {
 
 std::vector<int> all_equations() { return {0, 1, 2, 3, 4, 5}; }
 
-/// A part that turns a vector and makes it `factor` times as long: beside the unit matrix each sweep reduces the error
-/// by exactly this factor.
+/// A part that rotates a vector and multiplies its length by `factor`: with the unit matrix as K, each iteration
+/// reduces the error exactly by this factor.
 Eigen::MatrixXd turn(double factor) {
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(size, size);
   for (int n = 0; n < size; n += 2) {
@@ -38,7 +38,7 @@ MatrixPart part_of(const Eigen::MatrixXd& values) {
   return part;
 }
 
-/// The unit matrix, which counts how often it is solved with.
+/// The unit matrix as K, with a count of its solutions.
 struct UnitMatrix {
   newton::Solve solver() {
     return [this](const std::vector<double>& right) {
@@ -49,7 +49,7 @@ struct UnitMatrix {
   int solutions = 0;
 };
 
-/// What the last sweep makes of a split right-hand side with the unit matrix.
+/// The result of the last iteration for a split right-hand side with the unit matrix.
 Eigen::VectorXd last_sweep(const Split& split) { return vector(load) - vector(split.product); }
 
 }  // namespace
@@ -64,8 +64,9 @@ BOOST_AUTO_TEST_CASE(the_sweep_that_is_left_to_the_caller_meets_the_tolerance) {
       BOOST_TEST(split.converges);
       const Eigen::VectorXd
           expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
-      // After k sweeps the change is factor^k |b|, with |b| >= |x|, and the last sweep leaves factor^(k+2) |x|: at most
-      // `factor` of factor times the change, which is within the tolerance of |x_k| <= (1 + factor) |x|.
+      // After k iterations the change is factor^k |b|, with |b| >= |x|, and the last iteration leaves the error
+      // factor^(k+2) |x|. This is at most `factor` times the change, which is within the tolerance of |x_k| <= (1 +
+      // factor) |x|.
       BOOST_TEST((last_sweep(split) - expected).norm() <= (tolerance + test::rounding) * expected.norm());
     }
   }
@@ -91,7 +92,8 @@ BOOST_AUTO_TEST_CASE(a_part_that_is_known_to_be_small_costs_one_solution) {
         expected = (Eigen::MatrixXd::Identity(size, size) + values).partialPivLu().solve(vector(load));
     BOOST_TEST((solution - expected).norm() <= tolerance * expected.norm());
     const double seen = newton::seen_reduction(split, {&part}, {solution.data(), solution.data() + size});
-    // It is a difference of two solutions over the change, each rounded as parts of the load are.
+    // The reduction is the difference of two solutions divided by the change, each with the rounding error of parts of
+    // the load.
     const double rounded = test::rounding * vector(load).norm() / (factor * split.change);
     BOOST_TEST(seen == factor, boost::test_tools::tolerance(rounded));
   }
@@ -115,7 +117,7 @@ BOOST_AUTO_TEST_CASE(another_right_hand_side_costs_no_sweep_where_its_solution_i
   const MatrixPart part = part_of(values);
   UnitMatrix unit;
   const Split last = newton::split(unit.solver(), {&part}, load, tolerance);
-  for (const double change : {0.03, 0.3}) {  // beside tolerance/factor^2 = 0.11
+  for (const double change : {0.03, 0.3}) {  // below and above tolerance/factor^2 = 0.11
     const Eigen::VectorXd right = vector(load) + change * Eigen::VectorXd::Unit(size, 3) * vector(load).norm();
     const Eigen::VectorXd x = right - vector(last.product);
     unit.solutions = 0;
@@ -150,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_later_sweep_that_makes_the_change_larger_counts_for_nothi
   const std::vector<double> first{1, 0, 0, 0, 0, 0};
   const Split split = newton::split(unit.solver(), {&part}, first, 1e-2);
   BOOST_TEST(!split.converges);
-  BOOST_TEST((split.product == std::vector<double>{0, 0.4, 0, 0, 0, 0}));  // of the first sweep
+  BOOST_TEST((split.product == std::vector<double>{0, 0.4, 0, 0, 0, 0}));  // of the first iteration
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_says_nothing_of_a_part) {

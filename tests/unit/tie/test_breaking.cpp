@@ -13,7 +13,7 @@ namespace {
 const Cohesive law{{{0.01, 0.02}, 2}, {0.002, 0.003}};
 const Brittle brittle{{0.5, 0.5}};
 
-/// A scene whose bodies have been drawn apart, so that bonds soften, and pushed together in part.
+/// A scene whose bodies have been moved apart such that bonds soften, or partly together.
 TiedScene opened(FacetType one, FacetType two, double gap, double along, std::mt19937& random) {
   TiedScene tied(one, two, gap, Enforcement::penalty, {1, 1}, law);
   tied.scene.disturb(0.02, random);
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(energies_of_the_output_are_those_of_the_law) {
   draw_apart(tied, 0.1);
   const DamageState half = damage_after(*tied.tie, tied.scene.fields, 1);
   const InterfaceOutput out = output(*tied.tie, tied.scene.fields, half);
-  const double traction = 2 * (1 - half.damage[0]) * 0.1;  // of the penalty 2
+  const double traction = 2 * (1 - half.damage[0]) * 0.1;  // with the penalty 2
   BOOST_TEST(std::abs(out.balance.bonds.stored - 0.5 * traction * 0.1) < 1e-15);
   BOOST_TEST(out.balance.bonds.broken_area == 0.0);
   for (const NodalOutput& nodes : out.nodes) {

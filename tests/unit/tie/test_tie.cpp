@@ -9,9 +9,9 @@
 
 using namespace test;
 
-// Central differences miss the derivative by h^2/6 of the third one. The third derivative of this residual is that of
-// the differences, four times as much at 2h: their change is three times the error at h. Rounding adds that of a sum
-// over h.
+// Central differences have the error h^2/6 times the third derivative of the residual; the differences at 2h have four
+// times this error. Their change is therefore three times the error at h. The rounding error of a sum divided by h is
+// added.
 BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual) {
   for (const auto& [one, two] : facet_pairs()) {
     for (const Enforcement enforcement : {Enforcement::penalty, Enforcement::lagrange_multipliers}) {
