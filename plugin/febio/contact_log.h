@@ -24,7 +24,7 @@ class ContactLog {
   }
 
   /// Ends the run after an error: FEBio repeats steps after its own exceptions, and the fault would recur.
-  [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "cannot go on, see the error above."); }
+  [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "stops the run, see the error above."); }
 
   // Sentences that name the contact themselves
   void line(const std::string& sentence) const { feLogEx(contact_.GetFEModel(), "%s\n", sentence.c_str()); }

@@ -109,7 +109,7 @@ def rigid_pair(properties: str = "", params: str = "") -> Document:
 def test_two_rigid_bodies_take_their_penalty_from_the_modulus_of_their_materials(solve):
     """A block over 1 mm^2, overlapping by 0.01 mm: in series k = 2/(1/(E/0.9) + 1/E) over the thicknesses 0.9 and 1."""
     folder, found = solve("rigid", rigid_pair("<E>100</E><v>0.3</v>"))
-    assert "both surfaces are rigid. The automatic penalty takes a modulus of 109.89" in found.output
+    assert "both surfaces are rigid. The automatic penalty uses a modulus of 109.89" in found.output
     modulus = 100 / (1 - 0.3**2)
     expected = 1000 * 2 / (0.9 / modulus + 1 / modulus) * 0.01
     force = small.table(folder / "rigid-2.txt")[-1, 0, 0]

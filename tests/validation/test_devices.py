@@ -56,7 +56,7 @@ def test_without_devices_a_run_comes_to_the_same_solution_and_none_acts(runner, 
     assert acted
     assert re.search(r"\bloads_as_unknowns \d+", acted.group(1))
     assert not ablated_runs.ACTED.search(log_without)
-    assert "devices of the solver that are on: none." in log_without
+    assert "active devices of the solver: none." in log_without
 
 
 @pytest.mark.parametrize("device", ablated_runs.devices())

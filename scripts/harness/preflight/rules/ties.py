@@ -33,7 +33,7 @@ def joined_facets(joint: Joint) -> Iterator[Finding]:
             "shared-facets",
             joint.contact.pair.tag,
             f"surfaces '{joint.contact.pair.primary.name}' and '{joint.contact.pair.secondary.name}' have "
-            f"{len(one & two)} facets in common, which are joined already",
+            f"{len(one & two)} facets in common, which are already joined",
             "Name the surface of the other body.",
         )
 
