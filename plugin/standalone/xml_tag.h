@@ -23,7 +23,7 @@ struct Range {
 };
 inline constexpr Range any{[](double) { return true; }, "a number"};
 inline constexpr Range positive{[](double x) { return x > 0; }, "positive"};
-inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number that is not negative"};
+inline constexpr Range not_negative{[](double x) { return x >= 0; }, "zero or a positive number"};
 
 /// The tags that a reader has read: all that a file may hold.
 struct Asked {
