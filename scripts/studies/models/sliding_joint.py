@@ -39,8 +39,8 @@ ABOUT = """\
 Cartilage slides on cartilage: friction in this section of a joint depends on the load that the fluid bears.
 
 Two layers of 1 mm cover rigid bone. The upper layer is convex with a radius of 15 mm. The upper bone approaches by
-0.08 mm within 2 s. It then rests until 60 s, and the fluid leaves the contact, at its edges first. The bone finally slides
-by 0.06 mm within 12 s. The friction (mu_eq = 0.2, phi = 0.1) follows from the load that the solid bears. Slip
+0.08 mm within 2 s. It then rests until 60 s, and the fluid leaves the contact, at its edges first. The bone finally
+slides by 0.06 mm within 12 s. The friction (mu_eq = 0.2, phi = 0.1) follows from the load that the solid bears. Slip
 therefore begins at the edges and moves inwards, until the whole contact slides."""
 
 
