@@ -27,14 +27,19 @@ def convert(
     ],
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="The new file; by default <model>-mixture.feb next to the old one."),
+        typer.Option(
+            "--output",
+            "-o",
+            help="Write the new model to this file; the default is <model>-mixture.feb next to the old one.",
+        ),
     ] = None,
     in_place: Annotated[bool, typer.Option("--in-place", help="Change the model file itself.")] = False,
 ) -> None:
-    """Switch a model to sliding-mixture and tied-mixture, name the fate of each parameter, and keep all other bytes.
+    """Convert a model to sliding-mixture and tied-mixture, and report each parameter as kept, mapped or dropped.
 
-    Contacts in included files go into new files next to these, which the new model reads.
-    Refuses where the physics would change. Exit code 0: written; 2: not converted.
+    The command leaves all other bytes of the file unchanged. It writes contacts of included files to new files next to
+    the included ones, and the new model reads these. It refuses a model whose physics would change. The exit code is 0 if
+    it has written the new model, and 2 if it has not.
     """
     if in_place and output is not None:
         raise typer.BadParameter("--output and --in-place exclude each other")
