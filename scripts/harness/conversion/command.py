@@ -38,8 +38,8 @@ def convert(
     """Convert a model to sliding-mixture and tied-mixture, and report each parameter as kept, mapped or dropped.
 
     The command leaves all other bytes of the file unchanged. It writes contacts of included files to new files next to
-    the included ones, and the new model reads these. It refuses a model whose physics would change. The exit code is 0 if
-    it has written the new model, and 2 if it has not.
+    the included ones, and the new model reads these. It refuses a model whose physics would change. The exit code is 0
+    if it has written the new model, and 2 if it has not.
     """
     if in_place and output is not None:
         raise typer.BadParameter("--output and --in-place exclude each other")
