@@ -150,7 +150,7 @@ def indentation_extremes(
     only: Annotated[list[str] | None, typer.Option(help="Run only the cases of these names.")] = None,
     folder: Annotated[Path, typer.Option(help="Write runs, table and picture to this folder.")] = RESULTS,
 ) -> None:
-    """List concentrations below 0 and over 1 mM in problem 3.3 and in bodies without contact, by mesh and for d0 = d."""
+    """List concentrations outside 0 to 1 mM in problem 3.3 and in bodies without contact, by mesh, and for d0 = d."""
     runs = extremes.run(Runner(folder / "runs", timeout=None), only)
     console.print(extremes.table(runs), markup=False)
     console.print(f"Written: {extremes.draw(runs, folder / 'indentation-extremes.png')}")
