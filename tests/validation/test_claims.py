@@ -52,8 +52,10 @@ def test_hard_cases_say_which_misses_are_technical_and_which_cases_are_one_scene
     further = [missed for missed in missing if missed.startswith("a further run")]
     said = claim("hard-cases")
     assert f"misses checks in {len(missing)}." in said
-    assert f"A further run of the check failed or could not be compared in {len(further)}." in said
-    assert any("2.9e-09" in missed for missed in missing) == ("misses 1 of the 7 by a difference below 1e-06" in said)
+    assert f"A further run for the check failed or could not be compared in {len(further)}." in said
+    assert any("2.9e-09" in missed for missed in missing) == (
+        "The missed difference is below 1e-06 in 1 of these 7." in said
+    )
     assert "`units` and `restart`" in said
     assert "`curved-1-to-8` and `curved-two-pass`" in said
 
