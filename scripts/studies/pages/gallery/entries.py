@@ -107,8 +107,8 @@ def _indentation() -> Entry:
     short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
     return Entry(
         "A semi-cylinder driven into a slab (problem 3.3)",
-        "Start here for indenters and condyles. The deformation is large, and the contact area grows. Open nodes have the "
-        "ambient values.",
+        "Start here for indenters and condyles. The deformation is large, and the contact area grows. Open nodes have "
+        "the ambient values.",
         kept_models.INDENTATION.model(),
         replace(kept_models.INDENTATION, plot=False, grid=LEVELS[0], control=short).model(),
         Section(mirrored=True),

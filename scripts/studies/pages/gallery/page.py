@@ -148,7 +148,7 @@ def _friction() -> str:
 def _pictured(model: Model, picture: str, alt: str) -> str:
     """A model with its one picture, and a description of that."""
     run = f"```console\nscripts/mixcontact run models/{model.name}.feb\n```"
-        return f"{_shows(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
+    return f"{_shows(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
 
 
 def _curves(entry: Entry) -> str:
