@@ -108,8 +108,8 @@ def test_verification_counts_what_has_a_tolerance_and_says_what_has_none():
     measures = [measure for section in sections for measure in section["measures"]]
     near = sum(m["value"] > 0.5 * m["tolerance"] for m in measures if m["tolerance"])
     said = claim("verification")
-    assert f"of {len(measures)} figures" in said
-    assert f"{near} figures use more than half of theirs" in said
+    assert f"of {len(measures)} results" in said
+    assert f"{near} results use more than half of their tolerance" in said
     assert "Hertz's contacts have no tolerance" in said
     page = (DOCS / "evidence" / "verification.md").read_text(encoding="utf-8")
     for title, model in (
