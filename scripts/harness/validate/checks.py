@@ -107,7 +107,7 @@ def convection_against_closed_form(
     for peclet in peclets:
         split, reference = convection_pair(context, peclet)
         own, by_mesh = (compare.error_at(run, "c1", exact_convection(run, peclet)) for run in (split, reference))
-        name = f"3.2 Pe = {peclet}, error in c less that of the conforming reference"
+        name = f"3.2 Pe = {peclet}, error in c in excess of the conforming reference"
         iterations = f"iterations {split.report.iterations}, conforming: {reference.report.iterations}"
         note = f"{own:.2e}, conforming: {by_mesh:.2e}; {iterations}"
         measures.append(Measure(name, abs(own - by_mesh), SPLIT_BAR, note=note))

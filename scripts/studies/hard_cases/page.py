@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from studies import files
+from studies import files, tables
 from studies.hard_cases import outcomes
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.outcomes import Outcome
@@ -114,12 +114,13 @@ def _better(found: list[Outcome], about: Mapping[str, str]) -> str:
     for (case, mesh), row in outcomes.arranged(found).items():
         runs = outcomes.better(row)
         if runs:
-            told = " and ".join(f"{run.short} with {run.interface.replace('febio-', 'factor ')}" for run in runs)
-            lines.append(f"- {about[case]}, {mesh} mesh: {told}, `sliding-mixture` {row[outcomes.OURS].short}")
+            theirs = " and ".join(f"{run.short} ({run.interface.replace('febio-', 'factor ')})" for run in runs)
+            lines.append((about[case], mesh, theirs, row[outcomes.OURS].short))
     shorter = "passes with fewer iterations, or fewer repeated steps, than `sliding-mixture`"
-    head = f"A run with FEBio's interface {shorter} in {len(lines)} of these cases. The list gives iterations:"
-    head = head if lines else ""
-    return "\n\n".join(filter(None, [head, "\n".join(lines)])) or f"No run with FEBio's interface {shorter}."
+    if not lines:
+        return f"No run with FEBio's interface {shorter}."
+    counts = tables.markdown(("case", "mesh", "FEBio's interface", "`sliding-mixture`"), lines)
+    return f"A run with FEBio's interface {shorter} in {len(lines)} of these cases:\n\n{counts}"
 
 
 PAGE = EvidencePage("evidence/hard-cases.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

@@ -17,7 +17,7 @@ from studies.pages.evidence import DATA, EvidencePage
 from studies.pages.verification import Section
 
 SOURCE, ELASTIC_SOURCE = "biphasic-hertz.csv", "elastic-hertz.csv"
-SPLIT = ("split against conforming", "less that of the conforming reference")
+SPLIT = ("split against conforming", "in excess of the conforming reference")
 """In names of measures that compare with the conforming reference."""
 
 

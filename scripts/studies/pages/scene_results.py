@@ -241,7 +241,8 @@ def _predictor(rows: Sequence[Row]) -> str:
     without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
     return (
         f"The predictor is available in {len(runs)} scenes. {sum(took.ended for _, took in runs)} of these complete. "
-        f"The {len(both)} that complete with it and without it take {with_it} iterations with it and {without} without."
+        f"The {len(both)} scenes that complete in both ways take {with_it} iterations with the predictor and {without} "
+        "without."
     )
 
 
