@@ -53,7 +53,8 @@ class Stamp:
         """In words, for a page."""
         if not self.limit:
             return f"{self.engine}, plugin {self.plugin} and one thread"
-        return f"{self.engine}, plugin {self.plugin}, one thread, and at most {self.limit:g} s of processor time for each run"
+        limit = f"at most {self.limit:g} s of processor time for each run"
+        return f"{self.engine}, plugin {self.plugin}, one thread, and {limit}"
 
 
 def stamp(limit: float = 0.0) -> Stamp:
