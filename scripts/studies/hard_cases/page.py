@@ -105,7 +105,7 @@ def _not_run(found: list[Outcome]) -> str:
     missing = [f"the {mesh.value} mesh" for mesh in Fineness if mesh.value not in meshes]
     cases = {outcome.case for outcome in found}
     missing += [case.about for name, case in CASES.items() if name not in cases]
-    return f"The data lack {'; '.join(missing)}." if missing else "The data have all scenes on both meshes."
+    return f"The data do not include {'; '.join(missing)}." if missing else "The data have all scenes on both meshes."
 
 
 def _better(found: list[Outcome], about: Mapping[str, str]) -> str:
