@@ -39,7 +39,7 @@ STEEL = Elastic(Solid(1e5, 0.3))
 ABOUT = """\
 Confined compression of cartilage between a permeable and an impermeable platen.
 
-A cartilage sample 1 mm high is confined at its sides. It stands on an impermeable platen of steel, below a permeable
+A cartilage sample 1 mm high is confined at its sides. It lies on an impermeable platen of steel, below a permeable
 platen of sintered metal (porosity 0.4). Each platen is 0.5 mm high. The upper platen moves down by 0.1 mm within 100 s
 and then stops. The fluid pressure at its upper face is zero, and the concentration there rises to 1 mM within 100 s.
 The effective fluid pressure there is -R T c and falls to -0.0024776 MPa. Solvent leaves and solute enters through the
