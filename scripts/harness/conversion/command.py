@@ -46,7 +46,7 @@ def convert(
     beside = converted_name(model)
     target = model if in_place else output or beside
     if target == beside and target.exists():
-        raise HarnessError(f"{target} is there already; name a file by --output")
+        raise HarnessError(f"{target} exists already; name another file by --output")
     converted = conversion.convert(model)
     _check_folder(model, target, converted.reads)
     _check_target(model, target, converted.files)
@@ -73,7 +73,9 @@ def _check_folder(model: Path, target: Path, reads: Sequence[str]) -> None:
 def _check_target(model: Path, target: Path, read: Iterable[Path]) -> None:
     """No folder is made for the new model, and no other file of the old one is written over."""
     if not target.parent.is_dir():
-        raise HarnessError(f"{target}: there is no folder {target.parent}; make it first, or name another --output")
+        raise HarnessError(
+            f"{target}: there is no folder {target.parent}; make this folder first, or name another --output"
+        )
     if target.is_dir():
         raise HarnessError(f"{target} is a folder; name a file by --output")
     if target.suffix != ".feb":
@@ -87,9 +89,7 @@ def _check_free(included: Mapping[Path, bytes]) -> None:
     """What is there is not written over, unless it is the same."""
     for path, data in included.items():
         if path.exists() and path.read_bytes() != data:
-            raise HarnessError(
-                f"{path}, for the contacts of an included file, is there already; move or delete it first"
-            )
+            raise HarnessError(f"{path}, for the contacts of an included file, exists already; move or delete it first")
 
 
 def _write(path: Path, data: bytes) -> None:

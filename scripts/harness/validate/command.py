@@ -47,7 +47,7 @@ def validate(
     tolerances, and 1 if they miss one. It is 3 if they miss none, but the command could not make all checks.
     """
     if interface is InterfaceType.CONFORMING:
-        raise typer.BadParameter("'conforming' is what the others are compared with", param_hint="--interface")
+        raise typer.BadParameter("'conforming' is the reference of the others", param_hint="--interface")
     known = {check.name: check for check in CHECKS}
     checks = [known[name] for name in choice.chosen(only, known)]
     engines = hosts.engines(chosen, interface)
@@ -121,10 +121,10 @@ def _conclude(found: list[results.Results]) -> None:
         reasons = " ".join(dict.fromkeys(left_out.values()))
         console.print(
             f"[bold yellow]Left out:[/] {', '.join(left_out)}. The reason: {escape(reasons)} "
-            "What needs no run was done: the closed forms were checked, and the figures show them alone."
+            "The command has checked the closed forms, and the figures show these alone."
         )
     if missed:
-        console.print(f"[bold red]{missed} of the tolerances are missed.[/]")
+        console.print(f"[bold red]{missed} results miss their tolerances.[/]")
         raise typer.Exit(MISSED)
     if left_out:
         raise typer.Exit(LEFT_OUT)
