@@ -68,7 +68,7 @@ ZERO = {
 """What 0 means, of parameters that may be 0."""
 DEFAULT = "1"
 """FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the penalties stay."""
-_PENALTY = "convert writes FEBio's default; an automatic penalty would be more accurate and give another answer"
+_PENALTY = "convert writes FEBio's default; an automatic penalty would be more accurate and give a different answer"
 WRITTEN = {
     "penalty": _PENALTY,
     "pressure_penalty": _PENALTY,
