@@ -72,7 +72,7 @@ def details(rows: Sequence[Row]) -> str:
         f"completes of FEBio's {sound}",
         "of the other scenes",
         "iterations at most FEBio's",
-        "largest ratio to FEBio's",
+        "largest ratio of iterations",
     )
     lines = [_details(way, rows) for way in WAYS]
     return tables.markdown((*heads, f"ratio above {MOST}", "more retries"), lines)
