@@ -28,7 +28,7 @@ class ContactLog {
 
   /// Ends the run after an error has been logged. The exception is not one of FEBio's, after which FEBio would repeat
   /// the step with the same error.
-  [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "cannot go on, see the error above."); }
+  [[noreturn]] void end_run() const { throw std::runtime_error(subject() + "stops the run, see the error above."); }
 
   // The next functions write sentences that name the contact themselves.
   void line(const std::string& sentence) const { feLogEx(contact_.GetFEModel(), "%s\n", sentence.c_str()); }

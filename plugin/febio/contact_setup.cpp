@@ -67,14 +67,14 @@ bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLo
     FESolver* const solver = fem.GetStep(i)->GetFESolver();
     if (solver == nullptr || dynamic_cast<const FENewtonSolver*>(solver) != nullptr) continue;
     log.error(
-        "<laugon>LAGMULT</laugon> needs a solver of Newton's kind, since its multipliers are unknowns of the matrix; that "
-        "of step " +
+        "<laugon>LAGMULT</laugon> needs a Newton solver, because its multipliers are unknowns of the matrix. The solver of "
+        "step " +
         std::to_string(i + 1) + " is " + solver->GetTypeStr() + ". Use PENALTY or AUGLAG.");
     return false;
   }
   if (dofs.deformable_node() >= 0) return true;
   log.error(
-      "both surfaces are rigid, so there is nothing that <laugon>LAGMULT</laugon> could be solved for. Use PENALTY or "
+      "both surfaces are rigid, so <laugon>LAGMULT</laugon> has no unknowns. Use PENALTY or "
       "AUGLAG.");
   return false;
 }
@@ -108,11 +108,10 @@ bool ContactSetup::have_no_inner_facets() const {
     FEMixtureSurface& surface = surfaces_[side];
     for (int i = 0; i < surface.Elements(); ++i) {
       if (solids_with(fem_.GetMesh(), surface.Element(i).m_node) < 2) continue;
-      log_.error(
-          "the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" + surfaces_.names()[Side::secondary] +
-          "\" have facets in common, and one of \"" + surface.GetName() +
-          "\" lies inside a body, between two elements: nothing can slide there. Give each body nodes of its own, "
-          "or take outer faces alone.");
+      log_.error("the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" +
+                 surfaces_.names()[Side::secondary] + "\" have facets in common, and one of \"" + surface.GetName() +
+                 "\" lies inside a body, between two elements: nothing can slide there. Give each body its own nodes, "
+                 "or select outer faces alone.");
       return false;
     }
   }
@@ -132,18 +131,18 @@ bool ContactSetup::check_mesh_adaptors() const {
   for (int i = 0; i < fem_.MeshAdaptors(); ++i) {
     FEMeshAdaptor& adaptor = *fem_.MeshAdaptor(i);
     if (is_lagmult) {
-      log_.error(
-          "<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" + std::string(adaptor.GetTypeStr()) +
-          "): FEBio cannot try a step again in which the number of unknowns has changed. Use AUGLAG, or PENALTY.");
+      log_.error("<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" +
+                 std::string(adaptor.GetTypeStr()) +
+                 "): FEBio cannot repeat a step in which the number of unknowns has changed. Use AUGLAG, or PENALTY.");
       return false;
     }
     const FEParam* const erodes = adaptor.GetParameter("erode_surfaces");
     if (erodes != nullptr && erodes->type() == FE_PARAM_INT && erodes->value<int>() == 0)
-      log_.say("<erode_surfaces> of the mesh adaptor is 0: facets of elements that have eroded remain in contact.");
+      log_.say("<erode_surfaces> of the mesh adaptor is 0: facets of eroded elements remain in contact.");
     if (!parameters_.penalties.traction.given && is_criterion_of_gaps(adaptor))
       log_.say(
-          "the mesh adaptor's criterion \"contact gap\" asks how far surfaces overlap, which the automatic penalty "
-          "hardly allows. Set <penalty> to that which the value of the criterion was chosen with.");
+          "the mesh adaptor's criterion \"contact gap\" measures the overlap of the surfaces, which the automatic penalty "
+          "hardly allows. Set <penalty> to the value for which you chose the criterion.");
   }
   return true;
 }
@@ -151,7 +150,7 @@ bool ContactSetup::check_mesh_adaptors() const {
 bool ContactSetup::has_penalty(const BoundContact& contact) const {
   if (contact.core().pass(0).penalty().traction.allFinite()) return true;
   log_.error(
-      "both surfaces are rigid and no material has a modulus, so there is no stiffness to choose a penalty from. Set "
+      "both surfaces are rigid and no material has a modulus, so the penalty cannot follow from a stiffness. Set "
       "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
   return false;
 }
@@ -181,9 +180,9 @@ void ContactSetup::say_stand_in() const {
   if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
   std::ostringstream text;
   text
-      << "both surfaces are rigid. The automatic penalty takes a modulus of " << modulus_of_rigid_bodies(fem_)
+      << "both surfaces are rigid. The automatic penalty uses a modulus of " << modulus_of_rigid_bodies(fem_)
       << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
-      << "[force/length^3] to choose it yourself.";
+      << "[force/length^3] for a value of your own.";
   log_.say(text.str());
 }
 

@@ -140,7 +140,7 @@ std::string problem_of(FEModel& fem, const FESurfaceElement& facet, const FacetG
   if (!(geometry.normal * (centre(fem, facet) - centre(fem, *geometry.element)) < 0)) return "";
   return "the facet on " + element +
          " is inverted: its nodes must run counter-clockwise seen from outside the body (<flip_primary> and "
-         "<flip_secondary> turn the surfaces round)";
+         "<flip_secondary> reverse whole surfaces)";
 }
 
 /// The material of a facet in the undeformed state. Its stiffness is not positive if the material is not supported.
@@ -188,8 +188,9 @@ std::optional<FacetMaterial> MaterialReader::behind(FESurface& surface, FESurfac
   if (!(geometry.thickness > 0)) geometry.thickness = std::sqrt(surface.FaceArea(facet));
   FacetMaterial result = properties_of(last_, geometry);
   if (result.stiffness > 0) return result;
-  problem = "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
-            ") is none that sliding-mixture knows: elastic, rigid, biphasic, biphasic-solute, triphasic or multiphasic";
+  problem =
+      "material \"" + material.GetName() + "\" (" + std::string(material.GetTypeStr()) +
+      ") is not supported. The contact supports elastic, rigid, biphasic, biphasic-solute, triphasic and multiphasic materials";
   return std::nullopt;
 }
 

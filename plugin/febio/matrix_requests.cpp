@@ -31,8 +31,8 @@ void ask_for_nonsymmetric_matrix(FEModel& model, const ContactLog& log) {
     if (solver == nullptr || solver->m_msymm != REAL_SYMMETRIC) continue;
     solver->m_msymm = REAL_UNSYMMETRIC;
     log.say("the matrix of step " + std::to_string(i + 1) +
-            " is set to non-symmetric, as that of this contact is. To keep it symmetric set "
-            "<symmetric_stiffness>1</symmetric_stiffness> in the contact; convergence is slower then.");
+            " is set to non-symmetric, because the matrix of this contact is. "
+            "<symmetric_stiffness>1</symmetric_stiffness> in the contact keeps it symmetric, with slower convergence.");
   }
 }
 

@@ -71,7 +71,7 @@ bool FEMixtureContact::Init() {
   log_.errors(wrong);
   if (!setup_.check_parameters() || !wrong.empty()) return false;
   if (m_psf != 1 || m_psfmax != 0)
-    log_.say("<penalty_sf> and <max_penalty_sf> have no effect: penalties grow by themselves.");
+    log_.say("<penalty_sf> and <max_penalty_sf> have no effect: AUGLAG raises penalties automatically.");
   for (const Side side : both_sides) {
     if (!surfaces_[side].Init()) return false;
   }
@@ -94,7 +94,7 @@ void FEMixtureContact::find_self_contact() {
   parameters_.self_contact = common > 0;
   const bool is_same = common == surfaces_[Side::primary].Elements() && common == surfaces_[Side::secondary].Elements();
   if (is_same && std::exchange(parameters_.enforcement.two_pass, false))
-    log_.say("<two_pass> has no effect: both surfaces are the same, so that each side has conditions already.");
+    log_.say("<two_pass> has no effect: both surfaces are the same, and each side has conditions already.");
 }
 
 int FEMixtureContact::InitEquations(int first) {
@@ -131,7 +131,7 @@ void FEMixtureContact::Activate() {
   read_properties();
   const bool has_changed = surfaces_.take_change();
   if (const FEMixtureSurface* const gone = surfaces_.without_facets()) {
-    log_.say("surface \"" + gone->GetName() + "\" has no facets left: the contact ends.");
+    log_.say("surface \"" + gone->GetName() + "\" has no facets left, and the contact is switched off.");
     return Deactivate();
   }
   if (parameters_.gap.node_reloc && !relocated_) {

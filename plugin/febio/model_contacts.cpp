@@ -234,7 +234,7 @@ std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) cons
       const Given<bool>& its = which.of(other->bound().parameters());
       return one.given && its.given && one.value != its.value;
     });
-    if (differs) list.push_back(name + "acts on the whole model, and another contact sets it otherwise.");
+    if (differs) list.push_back(name + "affects the whole model, and another contact has a different value.");
     const std::string unavailable = helpers_.unavailable(which.device);
     if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }

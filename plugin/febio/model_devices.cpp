@@ -32,12 +32,12 @@ std::string ModelDevices::complaint(ContactInModel& contact) const {
     const Given<std::string>& its = given_by(other);
     return one.given && its.given && newton::named_devices(one.value).set != newton::named_devices(its.value).set;
   });
-  return differs ? "<solver_devices> acts on the whole model, and another contact sets it otherwise." : "";
+  return differs ? "<solver_devices> affects the whole model, and another contact has a different value." : "";
 }
 
 void ModelDevices::introduce() {
   if (std::exchange(are_introduced_, true) || chosen().all()) return;
-  feLogEx(&fem_, "\nsliding-mixture: devices of the solver that are on: %s.\n", newton::names(chosen()).c_str());
+  feLogEx(&fem_, "\nsliding-mixture: active devices of the solver: %s.\n", newton::names(chosen()).c_str());
 }
 
 void ModelDevices::count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations) {
@@ -53,7 +53,8 @@ void ModelDevices::count_matrix(const std::vector<ContactInModel*>& contacts, bo
 void ModelDevices::fail_step(bool is_tried_again) {
   if (record_.is_suspended()) return record_.resume();
   if (!is_tried_again || chosen().none() || !record_.suspend()) return;
-  feLogEx(&fem_,
-          "\nsliding-mixture: a step has failed, and is tried again without the devices of the solver. This is said "
-          "once in a run.\n");
+  feLogEx(
+      &fem_,
+      "\nsliding-mixture: a step has failed. FEBio repeats it without the devices of the solver. The log reports this "
+      "once in a run.\n");
 }

@@ -224,7 +224,7 @@ class FELogMixtureSurface : public FELogSurfaceData {
     FEMixtureSurface* const own = contact_surface(*GetFEModel(), surface);
     if (own != nullptr) return value_of(*own);
     if (!warned_)
-      feLogWarning("Log data \"%s\": \"%s\" is no surface of a sliding-mixture contact.", GetTypeStr(),
+      feLogWarning("Log data \"%s\": \"%s\" is not a surface of a sliding-mixture contact.", GetTypeStr(),
                    surface.GetName().c_str());
     warned_ = true;
     return 0;

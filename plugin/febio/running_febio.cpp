@@ -49,7 +49,7 @@ std::string moved_hook(const SymbolLookup& find) {
   if (table == nullptr) return "";
   for (const Hook& hook : hooks()) {
     if (table[first + hook.place] != find(hook.symbol))
-      return std::string("its classes have another place for ") + hook.name;
+      return std::string("its classes have a different position of ") + hook.name;
   }
   return "";
 }
@@ -114,9 +114,9 @@ SymbolLookup running_symbols() {
 std::string misfit(const std::string& built_for, const SymbolLookup& find) {
   for (const std::string& reason : {other_release(built_for, find), missing_hook(find), moved_hook(find)}) {
     if (reason.empty()) continue;
-    return "FEBioMixtureContact was built for FEBio " + (built_for.empty() ? "of another make" : built_for) +
+    return "FEBioMixtureContact was built for FEBio " + (built_for.empty() ? "of an unknown release" : built_for) +
            " and does not fit the FEBio that loads it: " + reason +
-           ". Build it for this FEBio, if that is 4.11 or newer, or take the release of the plugin that was.";
+           ". Build the plugin for this FEBio (4.11 or newer), or take a release of the plugin for it.";
   }
   return "";
 }

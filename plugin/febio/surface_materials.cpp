@@ -25,7 +25,7 @@ bool are_shells(FEMixtureSurface& surface, Side side, const ContactLog& log) {
     if (element == nullptr || element->Class() == FE_ELEM_SHELL) continue;
     log.error("<shell_bottom_" + std::string(side == Side::primary ? "primary" : "secondary") +
               "> is set, but element " + std::to_string(element->GetID()) + " behind surface \"" + surface.GetName() +
-              "\" is no shell. Leave it out, or give the shells a contact of their own.");
+              "\" is not a shell. Delete this parameter, or give the shells their own contact.");
     return false;
   }
   return true;
@@ -39,9 +39,10 @@ bool have_known_facets(ContactSurfaces& surfaces, const ContactLog& log) {
   for (const Side side : both_sides) {
     const FESurfaceElement* unknown = unknown_facet(surfaces[side]);
     if (unknown == nullptr) continue;
-    log.error("surface \"" + surfaces.names()[side] + "\" has a facet with " + std::to_string(unknown->Nodes()) +
-              " nodes, which is not supported. Allowed are facets with 3, 6 or 7 (triangles) and 4, 8 or 9 nodes "
-              "(quadrilaterals).");
+    log.error(
+        "surface \"" + surfaces.names()[side] + "\" has a facet with " + std::to_string(unknown->Nodes()) +
+        " nodes, which is not supported. The contact supports facets with 3, 6 or 7 (triangles) and 4, 8 or 9 nodes "
+        "(quadrilaterals).");
     return false;
   }
   return true;

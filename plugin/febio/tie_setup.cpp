@@ -18,13 +18,12 @@ std::vector<std::string> obstacles(FEModel& fem, const ContactSurfaces& surfaces
   std::vector<std::string> found;
   if (fem.MeshAdaptors() > 0) {
     found.emplace_back(
-        "the model has a mesh adaptor, and a tie keeps its nodes for ever. Leave the adaptor out, or use "
+        "the model has a mesh adaptor, and a tie cannot change its nodes. Leave the adaptor out, or use "
         "sliding-mixture with <tension>1</tension>.");
   }
   if (surfaces.common_facets() > 0) {
     found.emplace_back(
-        "its surfaces have facets in common, which are joined already. Give each body nodes of its own, and a surface of "
-        "them.");
+        "its surfaces have facets in common, which are already joined. Give each body its own nodes and its own surface.");
   }
   return found;
 }
@@ -79,15 +78,15 @@ std::unique_ptr<Tie> TieSetup::build() const {
   if (nodes.empty()) {
     log_.error("no node of the primary surface \"" + surfaces_.names()[Side::primary] + "\" faces \"" +
                surfaces_.names()[Side::secondary] +
-               "\" within reach, so that nothing is tied. Set <search_radius> to more than their distance, or "
-               "<flip_primary> or <flip_secondary> where normals point into a body.");
+               "\" within the search radius, and nothing is tied. Set <search_radius> to more than their distance, "
+               "or set <flip_primary> or <flip_secondary> if normals point into a body.");
     return nullptr;
   }
   auto tie = std::make_unique<Tie>(std::move(mesh), *exchanged, std::move(nodes), breaking());
   tie->set_laws(chosen);
   if (!tie->penalties().traction.allFinite()) {
     log_.error(
-        "both surfaces are rigid and no material has a modulus, so there is no stiffness to choose a penalty from. Set "
+        "both surfaces are rigid and no material has a modulus, so the penalty cannot follow from a stiffness. Set "
         "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
     return nullptr;
   }
@@ -99,9 +98,9 @@ std::unique_ptr<Tie> TieSetup::build() const {
 bool TieSetup::can_break(const Tie& tie) const {
   if (!may_break(tie.breaking())) return true;
   std::string wrong;
-  if (!tie.effects().traction) wrong = "<max_traction> is set, and <effects> leaves out traction: nothing can break.";
+  if (!tie.effects().traction) wrong = "<max_traction> is set, and <effects> omits traction: nothing can break.";
   if (solver_kind_of(fem_) != SolverKind::newton)
-    wrong = "<max_traction> is set, and the solver is none of Newton's kind: a tie cannot break with it.";
+    wrong = "<max_traction> is set, and the solver is not a Newton solver: a tie cannot break with it.";
   if (wrong.empty()) wrong = penalty_complaint(tie);
   if (!wrong.empty()) log_.error(wrong);
   return wrong.empty();

@@ -177,7 +177,7 @@ bool FEMixtureTie::accepts_solution() {
   take_damage(damage_after(*tie_, fields(), CurrentTime()));
   const Index broken = broken_nodes(*tie_) - before;
   if (broken > 0)
-    log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and the step is solved again.");
+    log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and FEBio solves the step again.");
   return broken == 0;
 }
 

@@ -31,7 +31,7 @@ std::string penalty_complaint(const Tie& tie) {
   if (least > needed) return "";
   std::ostringstream text;
   text << "the penalty of the tie is " << least
-       << " at some node, and a bond of this strength and <fracture_energy> needs "
+       << " at some node, and a bond with this strength and <fracture_energy> needs "
        << "more than " << needed << " (strength^2/(2 energy)) to soften. Set <penalty> to several times that and "
        << "<auto_penalty> to 0.";
   return text.str();
@@ -55,7 +55,7 @@ std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, 
   text
       << "bonds soften over a length of about " << zone << " (modulus energy/strength^2), and facets are up to "
       << longest
-      << " long. Three facets are the least that this zone should span; the load waves with fewer, and steps fail. Refine "
-      << "the surface, or choose a smaller <max_traction>, which hardly changes how a crack grows.";
+      << " long. At least three facets should span this length: with fewer, the load oscillates and steps fail. Refine "
+      << "the surface, or choose a smaller <max_traction>, which hardly changes the growth of a crack.";
   return text.str();
 }

@@ -21,8 +21,7 @@ PenaltyRule penalty_rule(const Varying& penalty, bool auto_penalty, double defau
 
 void require_not_negative(std::vector<std::string>& list, const char* name, double value) {
   if (std::isfinite(value) && value >= 0) return;
-  list.emplace_back("<" + std::string(name) + "> is " + std::to_string(value) +
-                    "; it must be a number that is not negative.");
+  list.emplace_back("<" + std::string(name) + "> is " + std::to_string(value) + "; it must be zero or positive.");
 }
 
 constexpr int lagmult = 2;
@@ -65,7 +64,7 @@ void complain_of_unknown(std::vector<std::string>& list, const ContactParameters
   if (p.unused.extrapolation.given) {
     list.emplace_back(
         "<extrapolation> is now called <predictor>, and it is off by default: write "
-        "<predictor>1</predictor> to use it, and leave <extrapolation> out.");
+        "<predictor>1</predictor> to use it, and delete <extrapolation>.");
   }
 }
 
@@ -90,8 +89,8 @@ void complain_of_friction(std::vector<std::string>& list, const ContactParameter
   }
   if (p.enforcement.laugon == lagmult && has_friction(p)) {
     list.emplace_back(
-        "<fric_coeff> is set with <laugon>LAGMULT</laugon>: multipliers that are unknowns hold the normal direction alone. "
-        "Use AUGLAG, which makes stick as exact as its tolerance, or PENALTY.");
+        "<fric_coeff> is set with <laugon>LAGMULT</laugon>: unknown multipliers act in the normal direction alone. Use "
+        "AUGLAG, which meets stick within its tolerance, or PENALTY.");
   }
 }
 
@@ -106,11 +105,11 @@ void note_friction(std::vector<std::string>& list, const ContactParameters& p) {
     return;
   }
   if (p.unused.smooth_fls.given && p.unused.smooth_fls.value)
-    list.emplace_back("<smooth_fls> has no effect: the load that the fluid bears is averaged around nodes as it is.");
+    list.emplace_back("<smooth_fls> has no effect: the contact always averages the fluid load support around nodes.");
   if (p.enforcement.symmetric_stiffness) {
     list.emplace_back(
-        "<symmetric_stiffness> is 1, and the tangent of friction is not symmetric: its symmetric part is used, and "
-        "convergence is slower.");
+        "<symmetric_stiffness> is 1, and the tangent of friction is not symmetric. The contact uses its symmetric part, "
+        "and convergence is slower.");
   }
 }
 
@@ -138,13 +137,13 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   }
   if (p.enforcement.laugon == lagmult && p.enforcement.two_pass) {
     list.emplace_back(
-        "<two_pass> is set with <laugon>LAGMULT</laugon>: conditions on both surfaces would be twice as many as can be "
-        "met. Leave <two_pass> out, or use AUGLAG.");
+        "<two_pass> is set with <laugon>LAGMULT</laugon>: the surfaces can meet only half of the conditions on both of "
+        "them. Delete <two_pass>, or use AUGLAG.");
   }
   if (p.enforcement.laugon == lagmult && p.self_contact) {
     list.emplace_back(
-        "<laugon>LAGMULT</laugon> is set for surfaces that have facets in common: where a body meets itself there would be "
-        "conditions on both sides, twice as many as can be met. Use PENALTY or AUGLAG.");
+        "<laugon>LAGMULT</laugon> is set for surfaces that have facets in common: both sides of self-contact have "
+        "conditions, and the sides can meet only half of these. Use PENALTY or AUGLAG.");
   }
   if (p.search.seg_up < 0)
     list.emplace_back("<seg_up> is negative; it must be a number of iterations, or 0 for no limit.");
@@ -163,16 +162,16 @@ std::vector<std::string> notices(const ContactParameters& p) {
   const auto note_zero = [&](const Given<double>& parameter, const std::string& name, const std::string& meaning) {
     if (parameter.given && parameter.value == 0) list.push_back("<" + name + "> is 0: " + meaning);
   };
-  const std::string instead = " while it is. Leave it out to have it chosen automatically.";
-  note_zero(p.penalties.traction, "penalty", "no traction is transmitted" + instead);
+  const std::string instead = ". Delete this parameter for an automatic value.";
+  note_zero(p.penalties.traction, "penalty", "the contact transmits no traction" + instead);
   note_zero(p.penalties.solvent, "pressure_penalty", "no solvent passes" + instead);
   note_zero(p.penalties.solute, "concentration_penalty", "no solute passes" + instead);
-  note_zero(p.search.radius, "search_radius", "it is chosen automatically.");
+  note_zero(p.search.radius, "search_radius", "the contact computes it automatically.");
   if (p.unused.knmult.given) list.emplace_back("<knmult> has no effect: the linearisation is always complete.");
   if (p.unused.smooth_aug.given && p.unused.smooth_aug.value)
-    list.emplace_back("<smooth_aug> has no effect: multipliers take the contact's own loads.");
+    list.emplace_back("<smooth_aug> has no effect: multipliers come from the nodal loads of the contact.");
   if (p.search.tolerance.given && integration(p) == mixture_contact::Integration::segments) {
-    list.emplace_back("<search_tol> has no effect with segments: they end where facets end.");
+    list.emplace_back("<search_tol> has no effect with segments, which end at the edges of facets.");
   }
   note_friction(list, p);
   return list;
@@ -181,8 +180,8 @@ std::vector<std::string> notices(const ContactParameters& p) {
 std::string load_curve_complaint(const ParameterTag& tag) {
   if (tag.varies != nullptr) return "";
   return "<" + std::string(tag.name) +
-         "> has a load curve, and it cannot change in a run. Give a value without the attribute lc; penalties, "
-         "tolerances, the offset, friction and ambient values may change in time.";
+         "> has a load curve, and this parameter cannot change during a run. Give a value without the attribute lc. Load curves "
+         "may change penalties, tolerances, the offset, friction and ambient values.";
 }
 
 bool has_friction(const ContactParameters& p) {

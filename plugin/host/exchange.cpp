@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string allowed(const std::vector<FieldAtContact>& fields) {
-  std::string list = "\"all\", or names out of traction, friction, solutes";
+  std::string list = "\"all\", or some of the names traction, friction, solutes";
   for (const FieldAtContact& field : fields) {
     list += ", " + number_of(field);
     if (!field.name.empty()) list += " (" + field.name + ")";
@@ -49,7 +49,7 @@ void check_word(const std::string& word, const std::vector<FieldAtContact>& fiel
     list.push_back("<effects> names \"" + word + "\"; allowed: " + allowed(fields) + ".");
     return;
   }
-  const std::string refusal = "<effects> asks for " + word + ", which this contact cannot exchange: ";
+  const std::string refusal = "<effects> includes " + word + ", which this contact cannot exchange: ";
   for (const std::string& obstacle : field->obstacles) list.push_back(refusal + obstacle + ".");
 }
 
@@ -63,7 +63,7 @@ void exchange(const FieldAtContact& field, mixture_contact::Effects& effects) {
 
 /// The reason why no traction is exchanged, for the summary.
 const char* without_traction(Motion motion) {
-  if (motion == Motion::tied) return " No traction: <effects> leaves it out.";
+  if (motion == Motion::tied) return " No traction: <effects> omits it.";
   return motion == Motion::untouched ? " No traction: <penalty> is 0."
                                      : " No traction: the displacements of both surfaces are fixed.";
 }
@@ -72,10 +72,10 @@ const char* without_traction(Motion motion) {
 void decide_friction(bool wanted, bool named, const FrictionRequest& friction, Exchange& result,
                      std::vector<std::string>& present, std::string& absent) {
   if (named && !friction.has_coefficient)
-    result.complaints.emplace_back("<effects> asks for friction, but <fric_coeff> is 0.");
+    result.complaints.emplace_back("<effects> includes friction, but <fric_coeff> is 0.");
   if (!friction.has_coefficient) return;
   if (!wanted) {
-    absent += " No friction: <effects> leaves it out.";
+    absent += " No friction: <effects> omits it.";
     return;
   }
   using mixture_contact::FrictionKind;
@@ -92,7 +92,7 @@ void decide_friction(bool wanted, bool named, const FrictionRequest& friction, E
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
   for (FieldAtContact& field : fields) {
     const bool is_solvent = field.solute < 0;
-    if (left_out.contact) field.obstacles.emplace_back("<penalty> is 0, so that the surfaces never touch");
+    if (left_out.contact) field.obstacles.emplace_back("<penalty> is 0, and the surfaces never touch");
     if (is_solvent && !left_out.solvent.empty()) field.obstacles.push_back("<" + left_out.solvent + "> is 0");
     if (!is_solvent && left_out.solutes) field.obstacles.emplace_back("<concentration_penalty> is 0");
     const std::vector<int>& stopped = left_out.stopped_solutes;
@@ -113,8 +113,8 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
   const bool pushes = everything || std::find(names.begin(), names.end(), "traction") != names.end();
   if (!pushes && motion == Motion::possible) {
     result.complaints.emplace_back(
-        "<effects> leaves traction out, but not all displacements of the two surfaces are fixed: what can move would "
-        "pass through the other side. Name traction, or fix x, y and z of every node of both surfaces.");
+        "<effects> omits traction, but not all displacements of the two surfaces are fixed: a node that moves "
+        "could pass through the other surface. Name traction, or fix x, y and z of every node of both surfaces.");
   }
   result.effects.traction = motion == Motion::possible || motion == Motion::undecided ||
                             (motion == Motion::tied && pushes);
@@ -136,7 +136,7 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
       exchange(field, result.effects);
       present.push_back(number_of(field));
     } else {
-      absent += " No " + number_of(field) + ": <effects> leaves it out.";
+      absent += " No " + number_of(field) + ": <effects> omits it.";
     }
   }
   result.summary = (present.empty() ? "nothing" : joined(present)) + "." + absent;

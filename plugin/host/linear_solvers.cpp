@@ -22,16 +22,16 @@ std::string linear_solver_complaint(const std::string& type, MatrixKind matrix) 
   const std::string subject = "the linear solver '" + type + "' ";
   const std::string instead = " Use pardiso, mkl_dss or superlu_mt.";
   if (symmetric_only().count(type) > 0 && !matrix.symmetric) {
-    return subject + "solves symmetric matrices only, and that of this contact is not." + instead;
+    return subject + "solves symmetric matrices only, and the matrix of this contact is not symmetric." + instead;
   }
   if (symmetric_only().count(type) > 0 && matrix.multipliers) {
-    return subject + "solves positive matrices only, and <laugon>LAGMULT</laugon> puts zeros on the diagonal." +
-           instead;
+    return subject +
+           "solves positive definite matrices only, and <laugon>LAGMULT</laugon> puts zeros on the diagonal." + instead;
   }
   if (iterative().count(type) > 0 && matrix.multipliers) {
     return subject +
-           "is iterative, and <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix, on which "
-           "incomplete factorisations divide: it may find no solution." +
+           "is iterative, and <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix. Incomplete "
+           "factorisations divide by the diagonal, and the solver may find no solution." +
            instead;
   }
   return "";

@@ -35,8 +35,7 @@ std::vector<std::string> membrane_complaints(const MembraneParameters& membrane,
   std::vector<std::string> list;
   const double conductance = membrane.conductance.value;
   if (!std::isfinite(conductance) || conductance < 0) {
-    list.push_back("<hydraulic_conductance> is " + std::to_string(conductance) +
-                   "; it must be a number that is not negative.");
+    list.push_back("<hydraulic_conductance> is " + std::to_string(conductance) + "; it must be zero or positive.");
   }
   const double unlimited = std::numeric_limits<double>::infinity();
   for (const std::string& wrong : {complaint("solute_permeance", membrane.permeance, solutes, unlimited),

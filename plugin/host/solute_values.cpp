@@ -11,12 +11,12 @@ std::string complaint(const std::string& tag, const SoluteValue& value, int solu
            "\"> names a solute that the model does not have. It has " + std::to_string(solutes) + ".";
   }
   if (value.solute == 0 && solutes != 1) {
-    return "<" + tag + "> needs the attribute sol=\"...\" to say which of the model's " + std::to_string(solutes) +
-           " solutes it is for: a name or an id of <Solutes>.";
+    return "<" + tag + "> needs the attribute sol=\"...\", because the model has " + std::to_string(solutes) +
+           " solutes: give the name or the id of one in <Solutes>.";
   }
   if (std::isfinite(value.value) && value.value >= 0 && value.value <= most) return "";
   const std::string allowed = std::isfinite(most) ? "it must lie between 0 and " + std::to_string(most) + "."
-                                                  : "it must be a number that is not negative.";
+                                                  : "it must be zero or positive.";
   return "<" + tag + "> is " + std::to_string(value.value) + "; " + allowed;
 }
 
@@ -28,7 +28,7 @@ std::string complaint(const std::string& tag, const std::vector<SoluteValue>& va
     if (!wrong.empty()) return wrong;
     const auto is_same = [&](const SoluteValue& other) { return other.index() == value.index(); };
     if (std::count_if(values.begin(), values.end(), is_same) > 1)
-      return "<" + tag + "> is given more than once for the same solute. Give each solute's once.";
+      return "<" + tag + "> has more than one value for the same solute. Give each solute one value.";
   }
   return "";
 }

@@ -66,14 +66,15 @@ void complain_of_sliding(std::vector<std::string>& list, const TieParameters& p)
   if (p.breaking.max_traction.given) return;
   const auto refuse = [&](bool given, const std::string& name) {
     if (given)
-      list.push_back(name +
-                     " is set, and the tie cannot break: this is of the contact of nodes that have broken. Set "
-                     "<max_traction>, or leave it out.");
+      list.push_back(
+          name +
+          " is set, and the tie cannot break: this parameter affects broken nodes alone. Set <max_traction>, "
+          "or delete this parameter.");
   };
   refuse(p.friction.fric_coeff.given, "<fric_coeff>");
   refuse(p.friction.contact_frac.given, "<contact_frac>");
   refuse(p.friction.tangential_penalty.given, "<tangential_penalty>");
-  refuse(p.has_ambient, "A value of the ambient");
+  refuse(p.has_ambient, "An ambient value");
 }
 
 }  // namespace
@@ -87,7 +88,7 @@ std::vector<std::string> tie_complaints(const TieParameters& p) {
   if (p.breaking.fracture_energy.given && !is_penalty)
     list.emplace_back(
         "<fracture_energy> is set with AUGLAG or LAGMULT: a bond that softens needs <laugon>PENALTY</laugon>, whose "
-        "penalty is its first stiffness. Ties without <fracture_energy> may have any <laugon>.");
+        "penalty is its initial stiffness. Ties without <fracture_energy> may have any <laugon>.");
   if (p.breaking.max_traction.given && left_out(p).contact)
     list.emplace_back("<penalty> is 0 with <max_traction>: without a traction nothing can break.");
   return list;
@@ -140,7 +141,8 @@ std::string tied_nodes_line(mixture_contact::Index tied, const mixture_contact::
   text << "ties " << tied << " of " << tied + untied.count() << " primary nodes.";
   if (untied.facing_nothing > 0) text << " " << untied.facing_nothing << " face nothing.";
   if (untied.too_far > 0)
-    text << " " << untied.too_far << " are too far away or hardly covered, at a distance of up to "
+    text << " " << untied.too_far
+         << " are too far from the secondary surface or hardly covered by it, at a distance of up to "
          << untied.largest_distance << ": see <search_radius>.";
   return text.str();
 }

@@ -39,7 +39,7 @@ NamedDevices named_devices(const std::string& list) {
 }
 
 std::string allowed_devices() {
-  return R"("all", "none", or names out of )" + names(DeviceSet().set()) + " with commas between them";
+  return R"("all", "none", or some of the names )" + names(DeviceSet().set()) + " with commas between them";
 }
 
 std::string names(const DeviceSet& set) {
@@ -61,7 +61,7 @@ std::string DeviceRecord::summary() const {
     const int count = indexing::at(counts_, i);
     if (count > 0) append(list, indexing::at(device_names, i) + (" " + std::to_string(count)));
   }
-  return list.empty() ? list : "How often devices of the solver acted: " + list + ".";
+  return list.empty() ? list : "Number of actions of each solver device: " + list + ".";
 }
 
 }  // namespace newton

@@ -39,8 +39,8 @@ bool LineSearchGuard::rejects() {
   has_acted_ = true;
   tolerance_ = std::exchange(*tolerance, 0.0);
   solver_.log(
-      "line_search_guard: the line search left less than half of the last increment, so the step is too short to be "
-      "accepted. The next increment is taken as a whole.");
+      "line_search_guard: the line search shortened the last increment to less than half. FEBio does not accept this "
+      "solution and applies the next increment without a line search.");
   return true;
 }
 

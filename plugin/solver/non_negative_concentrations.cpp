@@ -57,9 +57,9 @@ void NonNegativeConcentrations::hold(Place place) {
   held_.push_back(place);
   if (std::exchange(has_acted_, true)) return;
   solver_.log(
-      "non_negative_concentrations: the solver clamps negative concentrations to zero, and this is solved as an "
-      "inequality: such a concentration is held at zero until its balance makes it positive. This is said once in a "
-      "run.");
+      "non_negative_concentrations: the solver clamps negative concentrations to zero. The plugin solves this clamp as "
+      "an inequality: such a concentration stays at zero until the balance at its node makes it positive. The log "
+      "reports this once in a run.");
 }
 
 bool NonNegativeConcentrations::adapt() {

@@ -187,9 +187,9 @@ bool Predictor::is_better_than_plain(const std::vector<double>& predicted, const
   const double ahead = residual_norm(predicted, none);
   if (std::isfinite(ahead) && ahead <= plain) return true;
   solver_.log(std::isfinite(ahead)
-                  ? "predictor: the predicted state is dropped, its residual is larger than that of the "
+                  ? "predictor: the predicted state is rejected, because its residual is larger than that of the "
                     "plain start."
-                  : "predictor: the predicted state is dropped, an element is inverted there.");
+                  : "predictor: the predicted state is rejected, because it inverts an element.");
   return false;
 }
 

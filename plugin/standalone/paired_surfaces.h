@@ -8,7 +8,7 @@ namespace standalone {
 
 /// The error message if neither surface has an element with a stiffness.
 inline constexpr const char* no_stiffness =
-    "both surfaces are rigid, so there is no stiffness to choose a penalty from; set <penalty> and leave <auto_penalty> "
+    "both surfaces are rigid, so the penalty cannot follow from a stiffness; set <penalty> and leave <auto_penalty> "
     "at 0";
 
 /// Access to the surfaces of a model in the form of the contact core.

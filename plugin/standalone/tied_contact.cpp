@@ -21,7 +21,7 @@ TiedContact::TiedContact(const Model& model, const ContactDefinition& definition
   auto nodes = mixture_contact::find_tied_nodes(meshes, effects, settings, reference);
   if (nodes.empty())
     fail(
-        "no node of the primary surface faces the other one within reach, so that nothing is tied; set "
+        "no node of the primary surface faces the other one within the search radius, and nothing is tied; set "
         "<search_radius> to more than their distance");
   lines_.push_back(title() + " " +
                    tied_nodes_line(nodes.count(), mixture_contact::untied_nodes(nodes, meshes, settings, reference)));

@@ -22,7 +22,7 @@ struct Range {
 };
 inline constexpr Range any{[](double) { return true; }, "a number"};
 inline constexpr Range positive{[](double x) { return x > 0; }, "positive"};
-inline constexpr Range not_negative{[](double x) { return x >= 0; }, "a number that is not negative"};
+inline constexpr Range not_negative{[](double x) { return x >= 0; }, "zero or a positive number"};
 
 /// The names of tags and attributes that a reader has requested; the file may contain no others.
 struct Asked {

@@ -1,4 +1,4 @@
-"""Holds README, CONTRIBUTING, all pages, the help of the commands, messages and comments of C++ to the style.
+"""Holds README, CONTRIBUTING, all pages, heads of models, help of commands, messages and comments of C++ to the style.
 
     python scripts/prose/check.py [file ...]
 
@@ -50,6 +50,7 @@ def pages() -> list[str]:
     found = [*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "plugin").rglob("*.md")]
     found += [*(ROOT / "plugin").rglob("*.cpp"), *(ROOT / "plugin").rglob("*.h")]
     found += [path for folder in TALKING for path in (ROOT / "scripts" / "harness" / folder).rglob("*.py")]
+    found += (ROOT / "models").glob("*.feb")
     return [*sorted(path.relative_to(ROOT).as_posix() for path in found), ENTRY]
 
 
@@ -59,6 +60,14 @@ def messages_of_cpp(text: str) -> list[Sentence]:
     pieces = re.finditer(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*', code)
     found = ((code[: match.start()].count("\n") + 1, re.sub(r'"\s*"', "", match[0])) for match in pieces)
     return [Sentence(line, said.strip('"'), whole=False) for line, said in found if said.count(" ") >= FEW_WORDS]
+
+
+def head_of_model(text: str) -> list[Sentence]:
+    """Sentences of the comment at the start of a model: below its title, and above its commands."""
+    head = text.partition("<!--")[2].partition("-->")[0]
+    title, *about, _ = re.split(r"\n\s*\n", head.strip())
+    whole = [sentence for paragraph in about for sentence in END.split(" ".join(paragraph.split()))]
+    return [Sentence(2, title, whole=False), *(Sentence(2, said, whole=True) for said in whole)]
 
 
 def comments_of_cpp(text: str) -> Iterator[Sentence]:
@@ -101,6 +110,7 @@ READERS: dict[str, Callable[[str], list[Sentence]]] = {
     ".py": messages_of_python,
     ".cpp": messages_of_cpp,
     ".h": messages_of_cpp,
+    ".feb": head_of_model,
 }
 """How each kind of file is read."""
 

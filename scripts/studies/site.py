@@ -74,11 +74,14 @@ PAGES: dict[str, Callable[[], str]] = {
 
 
 def pages(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a file is not up to date.")] = False,
+    check: Annotated[
+        bool, typer.Option("--check", help="Write nothing, and fail if a file is not up to date.")
+    ] = False,
 ) -> None:
     """Write the generated pages of the documentation, from code and results in docs/data, and the models of models/.
 
-    It also fails with --check if the results in docs/data were not measured in one go.
+    The command fails with --check if a page or model is out of date, or if the results in docs/data come from different
+    measurements.
     """
     if check:
         evidence.check_together(LIMITS)

@@ -51,8 +51,10 @@ class Stamp:
 
     def __str__(self) -> str:
         """In words, for a page."""
-        limit = f", at most {self.limit:g} s of processor time for each run" if self.limit else ""
-        return f"{self.engine}, plugin {self.plugin}, one thread{limit}"
+        if not self.limit:
+            return f"{self.engine}, plugin {self.plugin} and one thread"
+        limit = f"at most {self.limit:g} s of processor time for each run"
+        return f"{self.engine}, plugin {self.plugin}, one thread, and {limit}"
 
 
 def stamp(limit: float = 0.0) -> Stamp:

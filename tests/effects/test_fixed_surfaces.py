@@ -65,7 +65,7 @@ def test_traction_must_not_be_left_out_where_bodies_can_move(runner):
     run = runner(blocks("fixed-refused", "solvent, solutes", fixed=False), check=False)
     assert not run.report.normal
     assert run.report.steps == 0
-    assert "<effects> leaves traction out, but not all displacements" in " ".join(run.report.errors)
+    assert "<effects> omits traction, but not all displacements" in " ".join(run.report.errors)
 
 
 def test_restart_of_fixed_blocks(runner, tmp_path):

@@ -177,7 +177,7 @@ def test_what_is_left_out_is_not_exchanged(runner, effects):
     check_forces(run)
     check_fluxes(run, pair, CHOICES[effects])
     left_out = shared_flows(pair) - CHOICES[effects]
-    assert run.log.count("<effects> leaves it out") == len(left_out)
+    assert run.log.count("<effects> omits it") == len(left_out)
 
 
 @pytest.mark.parametrize(
@@ -185,12 +185,12 @@ def test_what_is_left_out_is_not_exchanged(runner, effects):
     [
         (
             "solvent, solute 2",
-            '<effects> asks for solute 2, which this contact cannot exchange: "upper-bottom" does not have it',
+            '<effects> includes solute 2, which this contact cannot exchange: "upper-bottom" does not have it',
         ),
-        ("s2", '<effects> asks for s2, which this contact cannot exchange: "upper-bottom" does not have it'),
+        ("s2", '<effects> includes s2, which this contact cannot exchange: "upper-bottom" does not have it'),
         (
             "solvent, salt",
-            '<effects> names "salt"; allowed: "all", or names out of traction, friction, solutes, solvent, '
+            '<effects> names "salt"; allowed: "all", or some of the names traction, friction, solutes, solvent, '
             "solute 1 (s1)",
         ),
         ("solvent,,s1", '<effects> names ""; allowed'),

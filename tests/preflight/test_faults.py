@@ -241,8 +241,8 @@ FAULTS = {
         "two tags",
     ),
     "true": (lambda: with_params(Param("auto_penalty", "True")), "switch", "FEBio reads as 0"),
-    "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "not negative"),
-    "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "not negative"),
+    "negative tolerance": (lambda: with_params(Param("tolerance", -1.0)), "bad-value", "zero or"),
+    "no number": (lambda: with_params(Param("penalty", "much")), "bad-value", "zero or"),
     "FEBio's enforcement": (
         lambda: with_params(Param("laugon", "LAGMULT"), interface=InterfaceType.SOLUTE),
         "bad-value",
@@ -268,7 +268,7 @@ FAULTS = {
     "friction with FEBio's symmetric tangent": (
         lambda: with_params(Param("fric_coeff", 0.1), interface=InterfaceType.MULTIPHASIC),
         "symmetric-friction",
-        "which is this type's default",
+        "the default of this type",
     ),
     "offset": (lambda: with_params(Param("offset", "wide")), "bad-value", "offset"),
     "shell bottoms": (
@@ -303,7 +303,7 @@ FAULTS = {
     "unknown module": (
         lambda: text_of(diffusion(), ('<Module type="solute"', '<Module type="sollid"')),
         "module",
-        "no module of FEBio",
+        "not a module of FEBio",
     ),
     "solute": (lambda: with_params(Param("ambient_concentration", 1.0, None, {"sol": "3"})), "ambient-solute", "3"),
     "name of no solute": (lambda: with_params(ambient_at("Na", 1.0)), "ambient-solute", "solute Na"),
@@ -337,8 +337,8 @@ FAULTS = {
         "bad-value",
         "<reflection>",
     ),
-    "ambient concentration nan": (lambda: with_params(ambient_at("s1", "nan")), "bad-value", "not negative"),
-    "ambient concentration below zero": (lambda: with_params(ambient_at("s1", -1.0)), "bad-value", "not negative"),
+    "ambient concentration nan": (lambda: with_params(ambient_at("s1", "nan")), "bad-value", "zero or"),
+    "ambient concentration below zero": (lambda: with_params(ambient_at("s1", -1.0)), "bad-value", "zero or"),
     "load curve below zero": (
         lambda: replace(
             with_params(Param("ambient_concentration", 2.0, 1)), curves=(Curve(((0, 0), (1, 1), (2, -1))),)
@@ -475,8 +475,8 @@ def test_friction_holds_a_body_in_contact(findings, kind):
         return " ".join(finding.message for finding in found)
 
     with_friction = rubbing(kind, *NEEDED.get(kind, ()))
-    assert "does not hold it" not in said(with_friction)
-    assert "does not hold it" in said(with_friction.replace("0.3<", "0<"))
+    assert "the contact does not either" not in said(with_friction)
+    assert "the contact does not either" in said(with_friction.replace("0.3<", "0<"))
 
 
 def test_a_load_curve_counts_where_a_penalty_is_judged(findings):

@@ -279,7 +279,7 @@ def test_parts_of_other_files_and_parts_that_are_instances(tmp_path):
     other.write_text(geometry.format(part.replace('name="body"', 'name="body" mat="gel"')))
     assert said(path) == said(write(tmp_path, TEXTS["diffusion"]))
     other.write_text(geometry.format(""))
-    with pytest.raises(ModelError, match=r'<Part name="lower">: is to be read from .*part\.feb, which has no such'):
+    with pytest.raises(ModelError, match=r'<Part name="lower">: refers to .*part\.feb, which has no such'):
         check(path)
 
 

@@ -386,7 +386,7 @@ def test_converting_from_the_command_line(tmp_path):
     assert "auto_penalty" in finished.stdout
     assert path.read_bytes() == before
     made = (tmp_path / "old-mixture.feb").read_bytes()
-    assert "is there already" in str(command("convert", path).exception)
+    assert "exists already" in str(command("convert", path).exception)
     assert command("convert", path, "--in-place").exit_code == 0
     assert path.read_bytes() == made
     assert "nothing to convert" in str(command("convert", path, "--output", tmp_path / "new.feb").exception)

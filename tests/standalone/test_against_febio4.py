@@ -76,8 +76,8 @@ def test_an_effect_left_out_agrees(runs, effects):
     one, two = runs(strict(Diffusion(settings=settings, control=Control(20, 50.0)).model(), FLOORS[10.0]))
     found = differences(one, two)
     assert max(found.values()) <= BAR, found
-    assert "<effects> leaves it out" in one.log
-    assert "<effects> leaves it out" in two.log
+    assert "<effects> omits it" in one.log
+    assert "<effects> omits it" in two.log
 
 
 def test_a_body_without_contact_agrees(runs):

@@ -61,7 +61,7 @@ def test_unit_tests_stand_in_the_folders_of_the_core() -> None:
 def test_folders_that_are_named_elsewhere_are_there() -> None:
     """In the order of the guide for developers, which is the other way round, and in what runs under Wine."""
     guide = (ROOT / "docs" / "development" / "code.md").read_text(encoding="utf-8")
-    listed = re.search(r"`plugin/contact`. Its folders (.*?) each use only those after them", guide, re.DOTALL)
+    listed = re.search(r"The folders (.*?) of `plugin/contact` each use only those after them", guide, re.DOTALL)
     assert listed is not None
     named = re.findall(r"`(\w+)`", listed[1])
     assert named == [folder for folder in reversed(floors()) if folder in named]

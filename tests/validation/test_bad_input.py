@@ -96,7 +96,7 @@ def test_meaningless_ambient_concentration(complaint, value):
 
 def test_ambient_concentration_given_twice(complaint):
     one = Param("ambient_concentration", 1.0, None, {"sol": "1"})
-    assert "more than once" in complaint(_model(one, Param("ambient_concentration", 2.0)))
+    assert "more than one value" in complaint(_model(one, Param("ambient_concentration", 2.0)))
 
 
 def test_ambient_concentration_of_a_name_that_no_solute_has(complaint):

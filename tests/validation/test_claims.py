@@ -52,8 +52,10 @@ def test_hard_cases_say_which_misses_are_technical_and_which_cases_are_one_scene
     further = [missed for missed in missing if missed.startswith("a further run")]
     said = claim("hard-cases")
     assert f"misses checks in {len(missing)}." in said
-    assert f"A further run of the check failed or could not be compared in {len(further)}." in said
-    assert any("2.9e-09" in missed for missed in missing) == ("misses 1 of the 7 by a difference below 1e-06" in said)
+    assert f"A further run for the check failed or could not be compared in {len(further)}." in said
+    assert any("2.9e-09" in missed for missed in missing) == (
+        "The missed difference is below 1e-06 in 1 of these 7." in said
+    )
     assert "`units` and `restart`" in said
     assert "`curved-1-to-8` and `curved-two-pass`" in said
 
@@ -106,8 +108,8 @@ def test_verification_counts_what_has_a_tolerance_and_says_what_has_none():
     measures = [measure for section in sections for measure in section["measures"]]
     near = sum(m["value"] > 0.5 * m["tolerance"] for m in measures if m["tolerance"])
     said = claim("verification")
-    assert f"of {len(measures)} figures" in said
-    assert f"{near} figures use more than half of theirs" in said
+    assert f"of {len(measures)} results" in said
+    assert f"{near} results use more than half of their tolerance" in said
     assert "Hertz's contacts have no tolerance" in said
     page = (DOCS / "evidence" / "verification.md").read_text(encoding="utf-8")
     for title, model in (

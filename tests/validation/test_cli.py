@@ -68,7 +68,7 @@ def test_without_febio_the_rest_is_done_and_the_reason_given(tmp_path):
         (("run", "README.md"), "a model file ends in .feb"),
         (("plot", "none.json"), "cannot read none.json"),
         (("validate", "--only", "everything"), "'everything' is not one of closed-forms, diffusion"),
-        (("validate", "--interface", "conforming"), "'conforming' is what the others are compared with"),
+        (("validate", "--interface", "conforming"), "'conforming' is the reference of the others"),
         (("validate", "--interface", "glue"), "'glue'"),
     ],
 )
@@ -91,7 +91,7 @@ def test_a_bar_that_is_missed_is_a_failure(runner, tmp_path):
         tmp_path,
     )
     assert finished.returncode == 1
-    assert "missed" in finished.stdout
+    assert "miss their tolerances" in finished.stdout
 
 
 def test_run_reports_what_a_run_took(runner, interface, tmp_path):

@@ -74,7 +74,7 @@ def test_rows_stay_where_this_febio_lacks_the_solver():
     assert renewed([old], [solved]) == [solved]
     assert renewed([], [lacking]) == [lacking]
     told = linear_solver_results.page(Results(Stamp("0.1.0", "def5678", "FEBio 4.11.0"), [old]))
-    assert "Rows made otherwise: `superlu_mt` with FEBio with SuperLU_MT, plugin at commit abc1234." in told
+    assert "Some rows used other programs: `superlu_mt` with FEBio with SuperLU_MT, plugin at commit abc1234." in told
 
 
 def ended(output: str, normal: bool = False) -> engine.Run:

@@ -37,7 +37,7 @@ LEFT_BY_SWEEPS = 1e-2
 ATOL = {"residual": ROUNDING, "energy": 2 * LEFT_BY_SWEEPS, "displacement": 2 * LEFT_BY_SWEEPS}
 """Of a squared norm over the largest: to first order twice as much as of what is squared."""
 
-PIVOTS_LOST = "pivots are lost"
+PIVOTS_LOST = "row operations lose pivots"
 TAKEN_IN = "couplings across the contact are large"
 
 UNASKED = Param("solver_devices", "loads_as_unknowns, row_operations, deferred_coupling, kept_matrix")

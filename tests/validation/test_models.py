@@ -86,10 +86,21 @@ def test_a_wheel_has_the_models_where_the_command_looks_for_them():
     assert f'models = "{place.as_posix()}"\n' in (REPOSITORY / "pyproject.toml").read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("path", sorted(MODELS.glob("*.feb")), ids=lambda path: path.stem)
+def test_a_model_refers_to_each_of_its_load_controllers(path):
+    root = etree.parse(path).getroot()
+    controllers = {controller.get("id") for controller in root.iterfind("LoadData/load_controller")}
+    assert controllers == {tag.get("lc") for tag in root.iter() if tag.get("lc") is not None}
+
+
 @pytest.mark.parametrize("model", collection.models(), ids=lambda model: model.name)
 def test_model_files_say_what_a_reader_needs(model):
     head = model.text().split("-->")[0]
-    for words in ("Units: mm, N, s, nmol", f"models/{model.name}.feb", "-import build/lib/libFEBioMixtureContact.so"):
+    for words in (
+        "The units are mm, N, s, nmol",
+        f"models/{model.name}.feb",
+        "-import build/lib/libFEBioMixtureContact.so",
+    ):
         assert words in head
     assert max(map(len, head.splitlines())) <= 121
 

@@ -12,7 +12,7 @@ from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 
 pytestmark = pytest.mark.mixture_only
 
-SAID = "the step that has failed began without a node in contact"
+SAID = "the failed step began without a node in contact"
 LOAD = '<surface_load type="pressure" surface="up-top"><pressure lc="1">{}</pressure></surface_load>'
 
 

@@ -29,6 +29,9 @@ BAD = {
     "**The answer of the run.**": "without a verb",
     "A residual of the solid in the log.": "without a verb",
     "Off by default.": "without a verb",
+    "The log says why.": "'log says'",
+    "The bodies stick for ever.": "'for ever'",
+    "Made with FEBio 4.11 and one thread.": "not with 'Made with",
     "The node " + "closes and " * 20 + "opens.": "words in one sentence",
 }
 GOOD = (
@@ -75,6 +78,13 @@ def test_names_of_commands_in_the_help_are_no_prose():
     said = [sentence.text for sentence in check.read(check.ENTRY)]
     assert "run one model" in said
     assert not any(text.startswith("price ") for text in said)
+
+
+def test_the_head_of_a_model_is_read_between_its_title_and_its_commands():
+    text = "<?xml?>\n<!--\n  A slab.\n\n  It creeps. The face\n  is fixed.\n\n  Commands: run it\n-->\n<febio_spec/>"
+    read = [Sentence(2, "A slab.", False), Sentence(2, "It creeps.", True), Sentence(2, "The face is fixed.", True)]
+    assert check.head_of_model(text) == read
+    assert "models/joint.feb" in check.pages()
 
 
 def test_messages_are_read_without_comments():

@@ -108,7 +108,7 @@ void check(const ContactInterface::State& state, const ContactInterface& contact
   for (const Side side : both_sides) {
     const Index nodes = state.slips_from[side].cols();
     require(nodes == 0 || (contact.effects().may_rub() && nodes == contact.mesh(side).nodes),
-            "positions that slips are measured from");
+            "start positions of slips");
   }
   require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
   for (std::size_t pass = 0; pass < passes; ++pass) {
@@ -126,7 +126,7 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
       check_{settings_of_check(settings_), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
       measurements_(effects_.scalar_fields()) {
   if (settings_.two_pass && settings_.enforcement == Enforcement::lagrange_multipliers) {
-    throw std::invalid_argument("multipliers that are unknowns on both surfaces contradict each other");
+    throw std::invalid_argument("unknown multipliers on both surfaces contradict each other");
   }
   passes_.push_back(make_pass(Side::primary, mesh_, effects_, settings_));
   if (settings_.two_pass) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, settings_));

@@ -153,8 +153,8 @@ void KeptMatrix::undo_operations() {
   system_.factorise();
   if (!std::exchange(found_.loses_pivots, true))
     system_.solver().log(
-        "\nsliding-mixture: pivots are lost where rows of loads take those of their nodes, as in a body that is held "
-        "by contact alone. From here on they take none.");
+        "\nsliding-mixture: row operations lose pivots, for example in a body that contact alone holds. Later matrices "
+        "do without row operations.");
 }
 
 void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixParts& parts) {
@@ -209,7 +209,7 @@ void KeptMatrix::take_parts_in() {
   if (!std::exchange(found_.needs_parts, true))
     system_.solver().log(
         "\nsliding-mixture: couplings across the contact are large compared with the stiffness of the bodies. Later "
-        "matrices hold them and have more entries.");
+        "matrices include them and have more entries.");
 }
 
 void KeptMatrix::give_back() {

@@ -57,7 +57,7 @@ void find_places(const Row& row, const std::vector<Column>& order, int offset, s
       place = places[k];
     } else {
       while (place < row.length && row.columns[place] != wanted) ++place;
-      if (place == row.length) throw std::logic_error("an entry of a contact's tangent has no place in the matrix");
+      if (place == row.length) throw std::logic_error("an entry of a contact's tangent is not in the matrix profile");
       places[k] = place;
     }
   }

@@ -36,15 +36,19 @@ class Whose(str, Enum):
 
 def models(
     ctx: typer.Context,
-    family: Annotated[Family | None, typer.Argument(help="Write a model of this family, not the collection.")] = None,
-    size: Annotated[Size, typer.Option(help="Make the mesh of the knee this fine.")] = Size.SMALL,
-    load: Annotated[Load, typer.Option(help="Load the knee by 700 N, or by one cycle of gait.")] = Load.STANCE,
-    contact: Annotated[Whose, typer.Option(help="Take the plugin's contact or FEBio's in the knee.")] = Whose.MIXTURE,
-    friction: Annotated[float, typer.Option(min=0.0, help="Give all contacts of the knee this coefficient.")] = 0.0,
+    family: Annotated[
+        Family | None, typer.Argument(help="Write a model of this family in place of the collection.")
+    ] = None,
+    size: Annotated[Size, typer.Option(help="Size of the mesh of the knee.")] = Size.SMALL,
+    load: Annotated[Load, typer.Option(help="Load the knee with 700 N, or with one cycle of gait.")] = Load.STANCE,
+    contact: Annotated[
+        Whose, typer.Option(help="Use the plugin's contact or FEBio's contact in the knee.")
+    ] = Whose.MIXTURE,
+    friction: Annotated[float, typer.Option(min=0.0, help="Friction coefficient of all contacts of the knee.")] = 0.0,
     output: Annotated[Path | None, typer.Option(help="Write the knee to this .feb file.")] = None,
     folder: Annotated[Path, typer.Option(help="Write the collection to this folder.")] = MODELS,
     check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail if a file of the collection is not up to date.")
+        bool, typer.Option("--check", help="Write nothing, and fail if a file of the collection is not up to date.")
     ] = False,
 ) -> None:
     """Write the .feb files of the collection, or a knee."""

@@ -27,21 +27,26 @@ def convert(
     ],
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="The new file; by default <model>-mixture.feb next to the old one."),
+        typer.Option(
+            "--output",
+            "-o",
+            help="Write the new model to this file; the default is <model>-mixture.feb next to the old one.",
+        ),
     ] = None,
     in_place: Annotated[bool, typer.Option("--in-place", help="Change the model file itself.")] = False,
 ) -> None:
-    """Switch a model to sliding-mixture and tied-mixture, name the fate of each parameter, and keep all other bytes.
+    """Convert a model to sliding-mixture and tied-mixture, and report each parameter as kept, mapped or dropped.
 
-    Contacts in included files go into new files next to these, which the new model reads.
-    Refuses where the physics would change. Exit code 0: written; 2: not converted.
+    The command leaves all other bytes of the file unchanged. It writes contacts of included files to new files next to
+    the included ones, and the new model reads these. It refuses a model whose physics would change. The exit code is 0
+    if it has written the new model, and 2 if it has not.
     """
     if in_place and output is not None:
         raise typer.BadParameter("--output and --in-place exclude each other")
     beside = converted_name(model)
     target = model if in_place else output or beside
     if target == beside and target.exists():
-        raise HarnessError(f"{target} is there already; name a file by --output")
+        raise HarnessError(f"{target} exists already; name another file by --output")
     converted = conversion.convert(model)
     _check_folder(model, target, converted.reads)
     _check_target(model, target, converted.files)
@@ -68,7 +73,9 @@ def _check_folder(model: Path, target: Path, reads: Sequence[str]) -> None:
 def _check_target(model: Path, target: Path, read: Iterable[Path]) -> None:
     """No folder is made for the new model, and no other file of the old one is written over."""
     if not target.parent.is_dir():
-        raise HarnessError(f"{target}: there is no folder {target.parent}; make it first, or name another --output")
+        raise HarnessError(
+            f"{target}: there is no folder {target.parent}; make this folder first, or name another --output"
+        )
     if target.is_dir():
         raise HarnessError(f"{target} is a folder; name a file by --output")
     if target.suffix != ".feb":
@@ -82,9 +89,7 @@ def _check_free(included: Mapping[Path, bytes]) -> None:
     """What is there is not written over, unless it is the same."""
     for path, data in included.items():
         if path.exists() and path.read_bytes() != data:
-            raise HarnessError(
-                f"{path}, for the contacts of an included file, is there already; move or delete it first"
-            )
+            raise HarnessError(f"{path}, for the contacts of an included file, exists already; move or delete it first")
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -194,5 +194,5 @@ def _output(files: Sources) -> Iterator[Change]:
         if name in NOT_OURS:
             better = f"; '{NOT_OURS[name]}' takes its place" if NOT_OURS[name] else ""
             yield Change(
-                Action.KEPT, name, variable.line, f"stays in the file but knows FEBio's contact types alone{better}"
+                Action.KEPT, name, variable.line, f"stays in the file but supports FEBio's contact types alone{better}"
             )

@@ -29,50 +29,51 @@ class Change:
 
 
 DROPPED = {
-    "knmult": "the linearisation is always complete; it changes the iterations alone",
-    "smooth_aug": "multipliers take the contact's own loads at nodes, which are smooth",
-    "smooth_fls": "the part of the load that the fluid bears is always averaged around nodes",
-    "penalty_sf": "acts between augmentations alone; penalties grow by themselves",
-    "max_penalty_sf": "acts between augmentations alone; penalties grow by themselves",
-    "dual_proj": "pairs of facets are always found from both surfaces",
-    "dxtol": "a hidden parameter: the width within which FEBio softens the tangent at first touch",
-    "fric_penalty": "friction that sticks has the penalty of the traction, so that its elastic slip is small",
-    "ktmult": "the linearisation is always complete; it changes the iterations alone",
+    "knmult": "the linearisation is always complete; the parameter changes iterations, not the solution",
+    "smooth_aug": "multipliers come from the nodal loads of the contact, which are smooth",
+    "smooth_fls": "the contact always averages the fluid load support around nodes",
+    "penalty_sf": "the parameter raises penalties between augmentations; sliding-mixture raises them automatically",
+    "max_penalty_sf": "the parameter raises penalties between augmentations; sliding-mixture raises them automatically",
+    "dual_proj": "the search always uses both surfaces",
+    "dxtol": "this hidden parameter is the distance within which FEBio softens the tangent at first touch",
+    "fric_penalty": "sticking friction has the penalty of the traction, and its elastic slip is small",
+    "ktmult": "the linearisation is always complete; the parameter changes iterations, not the solution",
 }
 """Parameters without a meaning in `sliding-mixture` that do not change the converged answer."""
 
 KEPT = {
-    "tolerance": "measures gaps and jumps over the drop across the adjoining elements, not the change of multipliers",
-    "gaptol": "measured at nodes instead of integration points",
-    "ptol": "measured at nodes instead of integration points",
-    "ctol": "measured at nodes instead of integration points",
-    "auto_penalty": "both sides count in series instead of one; the same where they are equal",
-    "two_pass": "each pass has nodes and multipliers of its own",
-    "search_radius": "always a length",
-    "maxaug": "a warning where it ends a step",
+    "tolerance": "limits gaps and jumps relative to the drop across the adjoining elements, not the change of "
+    "multipliers",
+    "gaptol": "limits the value at nodes instead of integration points",
+    "ptol": "limits the value at nodes instead of integration points",
+    "ctol": "limits the value at nodes instead of integration points",
+    "auto_penalty": "uses the stiffness of both sides in series instead of one side; both agree for equal sides",
+    "two_pass": "each pass has its own nodes and multipliers",
+    "search_radius": "is always a length",
+    "maxaug": "gives a warning if it ends the augmentations of a step",
     "fric_coeff": "its bound holds at nodes instead of integration points, and is linear in traction and fluid "
     "pressure instead of a coefficient with a quotient of both",
-    "contact_frac": "counts with what the effective pressure exceeds the ambient one by",
+    "contact_frac": "applies to the effective pressure in excess of the ambient one",
 }
 """What differs in parameters that stay."""
 NO_DIFFERENCE = "same meaning"
 
 ZERO = {
-    "penalty": "0: the contact does nothing, in FEBio and here",
-    "pressure_penalty": "0: no solvent passes, in FEBio and here",
-    "concentration_penalty": "0: no solute passes, in FEBio and here",
-    "search_radius": "FEBio sees nothing within a radius of 0, so its contact does nothing; here the radius follows "
-    "the size of the surfaces and the contact works",
+    "penalty": "the contact has no effect with 0, as in FEBio",
+    "pressure_penalty": "no solvent crosses with 0, as in FEBio",
+    "concentration_penalty": "no solute crosses with 0, as in FEBio",
+    "search_radius": "FEBio finds no facets within a radius of 0, and its contact has no effect; the radius of "
+    "sliding-mixture then follows the size of the surfaces, and the contact acts",
 }
 """What 0 means, of parameters that may be 0."""
 DEFAULT = "1"
 """FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the penalties stay."""
-_PENALTY = "FEBio's default, written out; without it the penalty is automatic and accurate, and the answer another"
+_PENALTY = "convert writes FEBio's default; an automatic penalty would be more accurate and give a different answer"
 WRITTEN = {
     "penalty": _PENALTY,
     "pressure_penalty": _PENALTY,
     "concentration_penalty": _PENALTY,
-    "search_radius": "FEBio's default, written out; without it the radius follows the size of the surfaces",
+    "search_radius": "convert writes FEBio's default; the automatic radius follows the size of the surfaces",
 }
 IMPERMEABLE = {"effects": "traction", "free_draining": "0"}
 IMPERMEABLE_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
@@ -81,7 +82,10 @@ NO_FRICTION = {
     "sliding-node-on-facet": "without a <fric_penalty> above 0 sliding-node-on-facet has no friction",
 }
 """Why a friction coefficient does nothing in FEBio."""
-TRACTION_ALONE = "written out: FEBio's type knows traction alone and leaves the surfaces of porous bodies to the model"
+TRACTION_ALONE = (
+    "convert writes this value: FEBio's type transmits traction alone, and the model decides on the surfaces of "
+    "porous bodies"
+)
 """What keeps fluid and solutes of the bodies where FEBio's type does, and friction acting on all of the traction."""
 
 
@@ -96,7 +100,7 @@ def fate(kind: ContactType, name: str, value: str, *, rubs: bool = False) -> Cal
 
 def _frictionless_fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
     if name in ("contact_frac", "smooth_fls", "fric_penalty", "ktmult"):
-        return Action.DROPPED, "acts with friction alone"
+        return Action.DROPPED, "has an effect with friction alone"
     if name == "fric_coeff" and not is_zero(value):
         return Action.DROPPED, NO_FRICTION[kind.name]
     return _fate(kind, name, value)
@@ -108,13 +112,16 @@ def _fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
     if name in ZERO and is_zero(value):
         return Action.KEPT, _zero(kind, name)
     if name == "symmetric_stiffness" and is_on(value):
-        return Action.DROPPED, "a symmetric tangent costs iterations and changes nothing else; the default is complete"
+        return (
+            Action.DROPPED,
+            "a symmetric tangent needs more iterations for the same solution; the default tangent is complete",
+        )
     return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
 
 
 def _zero(kind: ContactType, name: str) -> str:
     if name == "search_radius" and kind.name in UNLIMITED_SEARCH:
-        return "0 has no limit in FEBio; here the radius follows the size of the surfaces"
+        return "FEBio has no limit with 0; the radius of sliding-mixture follows the size of the surfaces"
     return ZERO[name]
 
 

@@ -29,11 +29,11 @@ def _of_materials(joint: Joint) -> Iterator[str]:
             seen = f"surface '{name}' has material '{material.name}' ({material.kind})"
             if material.solutes and kind.solvent and not kind.solutes:
                 yield (
-                    f"{where}: {seen}: {kind.name} leaves its surfaces impermeable to solutes, sliding-mixture would "
-                    "exchange them and hold them at the ambient concentration where the surface is open"
+                    f"{where}: {seen}: {kind.name} leaves its surfaces impermeable to solutes, but sliding-mixture "
+                    "would exchange them and prescribe the ambient concentration at open nodes"
                 )
             elif kind.name == "sliding-biphasic-solute" and material.porous and _unknown_to_solute(material.kind):
-                yield f"{where}: {seen}: {kind.name} takes it for a solid without fluid, sliding-mixture does not"
+                yield f"{where}: {seen}: {kind.name} treats it as a solid without fluid, and sliding-mixture does not"
 
 
 def _unknown_to_solute(kind: str) -> bool:

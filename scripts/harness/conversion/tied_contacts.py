@@ -18,30 +18,34 @@ TOUCHING = 1e-6
 """Gap over the width of the facets below which surfaces touch."""
 
 DROPPED = {
-    "two_pass": "a condition stands once: in two passes each node is held twice",
-    "knmult": "the linearisation is always complete; it changes the iterations alone",
-    "symmetric_stiffness": "the tangent is symmetric, and the matrix is what FEBio's solver asks for",
-    "search_tolerance": "nodes at the edge of the other surface are tied as far as it covers the facets around them",
-    "special": "the search is along normals, which needs no special cases",
-    "gap_offset": "an initial gap is always kept",
-    "snap_tol": "the surfaces touch within it at the start, and what is tied is found then",
-    "offset_shells": "an initial gap, such as half the thickness of a shell, is always kept",
+    "two_pass": "each condition occurs once; two passes would hold each node twice",
+    "knmult": "the linearisation is always complete; the parameter changes iterations, not the solution",
+    "symmetric_stiffness": "the tangent is symmetric, and FEBio's solver decides on the matrix",
+    "search_tolerance": "the tie includes nodes at the edge of the other surface if it covers their facets",
+    "special": "the search along normals needs no special cases",
+    "gap_offset": "the tie always keeps an initial gap",
+    "snap_tol": "the surfaces touch within this distance at the start, when the tie finds its nodes",
+    "offset_shells": "the tie always keeps an initial gap, for example half the thickness of a shell",
 }
 """Parameters without a meaning in `tied-mixture` that do not change the answer."""
 KEPT = {
-    "tolerance": "measures gaps and jumps over the drop across the adjoining elements, not the change of multipliers",
-    "auto_penalty": "both sides count in series instead of one; the same where they are equal",
-    "gaptol": "measured at nodes instead of integration points",
-    "ptol": "measured at nodes instead of integration points",
-    "ctol": "measured at nodes instead of integration points",
+    "tolerance": "limits gaps and jumps relative to the drop across the adjoining elements, not the change of "
+    "multipliers",
+    "auto_penalty": "uses the stiffness of both sides in series instead of one side; both agree for equal sides",
+    "gaptol": "limits the value at nodes instead of integration points",
+    "ptol": "limits the value at nodes instead of integration points",
+    "ctol": "limits the value at nodes instead of integration points",
     "search_radius": "always a length",
     "node_reloc": "nodes move along their normals instead of to the closest point",
 }
 """What differs in parameters that stay."""
 NEVER = 1e6
 """Times the strength in tension: a strength in shear that no load reaches."""
-_PENALTY = "FEBio's default, written out; without it the penalty is automatic, and gaps far smaller"
-_LIMITLESS = "written out: FEBio's type has no limit; without it nodes farther than a quarter of a facet are not tied"
+_PENALTY = "convert writes FEBio's default; an automatic penalty would leave far smaller gaps"
+_LIMITLESS = (
+    "convert writes a radius, because FEBio's type has no limit; the default ties no nodes farther than a quarter of "
+    "a facet"
+)
 
 
 def stays(joint: Joint) -> str:
@@ -50,13 +54,14 @@ def stays(joint: Joint) -> str:
     if contact.kind.name != STICKY:
         return ""
     if contact.step > 1:
-        return "sticky of a later analysis step ties what touches by then; where that is, is not known before the run"
+        return "sticky in a later analysis step ties the nodes that touch at that time, which convert cannot predict"
     gaps = joint.facing().gaps - contact.value("gap_offset", 0.0)
     apart = float(np.nanmax(gaps)) if np.isfinite(gaps).any() else np.inf
     if apart > max(contact.value("snap_tol", 0.0), _touching(joint)):
         return (
             "sticky ties nodes when they come to touch in the run, and its surfaces are "
-            f"{'apart' if np.isinf(apart) else f'up to {apart:.3g} apart'}; tied-mixture ties what touches at the start"
+            f"{'apart' if np.isinf(apart) else f'up to {apart:.3g} apart'}; "
+            "tied-mixture ties the nodes that touch at the start"
         )
     return ""
 
@@ -93,7 +98,7 @@ def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
             Action.KEPT,
             "gap",
             contact.line,
-            f"{kind.name} draws surfaces together, under stress, that are up to {apart:.3g} apart or overlap; "
+            f"{kind.name} pulls surfaces together, under stress, that are up to {apart:.3g} apart or overlap; "
             "tied-mixture keeps the gap. <node_reloc> 1 closes it without stress",
         )
 
@@ -105,23 +110,23 @@ def _fate(joint: Joint, child: Span, value: str) -> Change:
     if name in DROPPED:
         return Change(Action.DROPPED, name, child.line, DROPPED[name])
     if name in ("gaptol", "ptol", "ctol") and value.startswith("-"):
-        return Change(Action.DROPPED, name, child.line, "a negative tolerance is none")
+        return Change(Action.DROPPED, name, child.line, "a negative tolerance has no effect in FEBio")
     if name == "max_distance":
-        return Change(Action.MAPPED, name, child.line, "becomes <search_radius>, along normals")
+        return Change(Action.MAPPED, name, child.line, "becomes <search_radius>, which acts along normals")
     return Change(Action.KEPT, name, child.line, KEPT.get(name, NO_DIFFERENCE))
 
 
 def _sticky_fate(joint: Joint, child: Span) -> Change:
     if child.tag == "flip_secondary":
-        return Change(Action.DROPPED, child.tag, child.line, "written again where the surface has to be turned round")
+        return Change(Action.DROPPED, child.tag, child.line, "convert writes it again if the surface must be flipped")
     if not joint.contact.value(child.tag, 0.0) > 0.0:
-        return Change(Action.DROPPED, child.tag, child.line, "the tie lasts, as it does in FEBio")
+        return Change(Action.DROPPED, child.tag, child.line, "the tie cannot break, as in FEBio")
     return Change(
         Action.KEPT,
         child.tag,
         child.line,
-        "judged at solutions instead of in iterations; nodes that have broken press and slide where they touch again, "
-        "while sticky ties them again",
+        "the tie breaks at solutions instead of within iterations; broken nodes are in sliding contact, "
+        "whereas sticky ties them again",
     )
 
 
@@ -133,12 +138,12 @@ def _written(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[str, st
         if name in kind.parameters and name not in given:
             yield name, "1", _PENALTY
     if "search_radius" in kind.parameters and "search_radius" not in given:
-        yield "search_radius", "1", "FEBio's default, written out"
+        yield "search_radius", "1", "convert writes FEBio's default"
     if kind.name in ANY_DISTANCE:
         yield from _of_any_distance(joint, given.get("max_distance", "0"))
     effects = _effects(joint)
     if effects:
-        yield "effects", effects, f"written out: {kind.name} exchanges nothing else"
+        yield "effects", effects, f"written out: {kind.name} exchanges no other effect"
 
 
 def _of_any_distance(joint: Joint, limit: str) -> Iterator[tuple[str, str, str]]:
@@ -146,14 +151,18 @@ def _of_any_distance(joint: Joint, limit: str) -> Iterator[tuple[str, str, str]]
     is_sticky = joint.contact.kind.name == STICKY
     for which in SIDES:
         if (which in joint.turned) != (is_sticky and joint.contact.on(f"flip_{which}")):
-            yield f"flip_{which}", "1", "its facets face away from the other surface, which FEBio's type does not ask"
+            yield f"flip_{which}", "1", "its facets face away from the other surface, which FEBio's type ignores"
     if not is_zero(limit):
         yield "search_radius", limit, "was <max_distance>"
     elif joint.largest_gap > 0:
         yield "search_radius", f"{1.1 * joint.largest_gap:.6g}", _LIMITLESS
     strength = joint.contact.value("max_traction", 0.0)
     if strength > 0.0:
-        yield "max_shear", f"{NEVER * strength:.6g}", "out of reach: shear breaks nothing in FEBio's type"
+        yield (
+            "max_shear",
+            f"{NEVER * strength:.6g}",
+            "an unreachable value, because FEBio's type does not break in shear",
+        )
 
 
 def _effects(joint: Joint) -> str:

@@ -31,11 +31,12 @@ PERMEABILITY = (1e-3, 5e-4)
 """mm^4/(N s)."""
 
 ABOUT = """\
-Diffusion into a composite slab: two layers of different material in contact at z = 1 mm.
+Diffusion into a composite slab: two layers of different material are in contact at z = 1 mm.
 
-The face z = 0 is at 1 mM, z = 1.75 mm impermeable and moved by -0.0001 mm, which closes the contact. The upper
-layer has another diffusivity, porosity, stiffness, permeability and half the solubility: the effective concentration
-is continuous over an ideal interface, the actual one jumps by the ratio of the solubilities."""
+The concentration at the face z = 0 is 1 mM. The face z = 1.75 mm is impermeable and moves by -0.0001 mm, which closes
+the contact. The upper layer differs in diffusivity, porosity, stiffness and permeability, and has half the solubility
+of the lower layer. The effective concentration is therefore continuous across an ideal interface, whereas the actual
+concentration jumps by the ratio of the solubilities."""
 
 
 def _material(index: int, data: composite_slab.Layer) -> Mixture:

@@ -20,12 +20,12 @@ OVERLAP = 1e-10
 """mm by which the two halves overlap at first, so that they are in contact when the load comes."""
 
 ABOUT = """\
-Confined creep of a biphasic layer that is split in two at half its height.
+Confined creep of a biphasic layer that is cut in two at half its height.
 
-The layer fills 0 < z < 2 mm. Its lower face is impermeable and fixed, the sides are confined, and a step load of
-0.0001 MPa presses on the upper face, through which the solvent leaves. With an ideal interface at z = 1 mm the layer
-creeps as if it were one: Mow, Kuei, Lai, Armstrong (1980), J Biomech Eng 102(1):73-84. The halves overlap by
-1e-10 mm at first: a body under a load alone must be in contact from the start."""
+The layer occupies 0 < z < 2 mm. Its lower face is impermeable and fixed, and its sides are confined. A step load of
+0.0001 MPa presses on the upper face, and the solvent leaves through this face. With an ideal interface at z = 1 mm,
+the two halves creep like one layer: Mow, Kuei, Lai and Armstrong (1980), J Biomech Eng 102(1):73-84. The halves
+overlap by 1e-10 mm at the start, because a body under a force needs contact from the start."""
 
 
 @dataclass(frozen=True)

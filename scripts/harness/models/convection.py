@@ -33,9 +33,10 @@ ABOUT = """\
 Steady convection and diffusion across a contact interface: problem 3.2 of Ateshian, Maas and Weiss (2012),
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003, at a Peclet number of {peclet}.
 
-Two cubes of 1 mm, in contact at z = 0. Inlet at z = -1 mm: fluid pressure {pressure:g} MPa, 1 mM. Outlet at
-z = +1 mm: no pressure, no solute; it is moved by -0.001 mm, which closes the contact. The effective fluid
-pressure that FEBio prescribes is p - R T c. After 20000 s the profile is steady and follows the closed form."""
+Two cubes with edges of 1 mm meet at z = 0. The fluid pressure at the inlet, z = -1 mm, is {pressure:g} MPa, and the
+concentration is 1 mM. The fluid pressure and the concentration at the outlet, z = +1 mm, are zero. The outlet moves by
+-0.001 mm, which closes the contact. FEBio prescribes the effective fluid pressure p - R T c. The profile is steady
+after 20000 s and follows the closed form."""
 
 
 @dataclass(frozen=True)

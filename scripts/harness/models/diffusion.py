@@ -33,9 +33,10 @@ ABOUT = """\
 Transient diffusion across a contact interface: problem 3.1 of Ateshian, Maas and Weiss (2012),
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
 
-Two cubes of 1 mm, in contact at z = 0. The face z = -1 mm is at 1 mM; the face z = +1 mm is impermeable
-and moved by -0.001 mm, which closes the contact. The solute diffuses from the lower face into both cubes. With an
-ideal interface its concentration follows the closed form of one slab of 2 mm, c* on one face, no flux on the other."""
+Two cubes with edges of 1 mm meet at z = 0. The concentration at the face z = -1 mm is 1 mM. The face z = +1 mm is
+impermeable and moves by -0.001 mm, which closes the contact. The solute diffuses from the lower face into both cubes.
+With an ideal interface, the concentration follows the closed form of a single slab of 2 mm thickness. This slab has
+the concentration c* on one face and no flux through the other."""
 
 
 @dataclass(frozen=True)

@@ -50,10 +50,11 @@ ABOUT = """\
 Transient contact with solute transport: problem 3.3 and figure 3.4 of Ateshian, Maas and Weiss (2012),
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
 
-A {body} of radius {radius:g} mm is driven {depth:g} mm into a slab 3 mm wide and 2 mm high in 1 s, and held to
-6000 s. Solute diffuses and is squeezed from the slab (1 mM) into the {body} and the surroundings (both 0 mM),
-which wets what is not in contact.
-By symmetry half of it is modelled{plane}."""
+A {body} of radius {radius:g} mm moves {depth:g} mm into a slab 3 mm wide and 2 mm high within 1 s, and stays
+there until 6000 s. The slab has a concentration of 1 mM at the start, and the {body} and the surrounding fluid
+have 0 mM. Diffusion and the flow of solvent carry solute out of the slab. The surrounding fluid wets all surfaces
+that are not in contact.
+By symmetry, the model contains {part}."""
 
 
 @dataclass(frozen=True)
@@ -116,8 +117,8 @@ class Indentation:
 
     def _about(self) -> str:
         body = "hemisphere" if self.grid.solid else "semi-cylinder"
-        plane = " (a quarter)" if self.grid.solid else ", as a layer of one element with no displacement along z"
-        return ABOUT.format(body=body, radius=self.grid.radius, depth=DEPTH, plane=plane)
+        part = "a quarter" if self.grid.solid else "one half, as a layer of one element with no displacement along z"
+        return ABOUT.format(body=body, radius=self.grid.radius, depth=DEPTH, part=part)
 
     def _conditions(self) -> tuple[Condition, ...]:
         """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the surroundings."""

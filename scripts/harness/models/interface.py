@@ -149,8 +149,8 @@ def contacts(interface: InterfaceType, mesh: Mesh, settings: ContactSettings | N
 
 
 UNITS = """\
-Units: mm, N, s, nmol, K. Hence stress and pressure in MPa, concentration in mM = nmol/mm^3, permeability in
-mm^4/(N s), diffusivity in mm^2/s; R = 8.314e-6 mJ/(nmol K)."""
+The units are mm, N, s, nmol and K. Stress and pressure are therefore in MPa, concentration in mM = nmol/mm^3,
+permeability in mm^4/(N s) and diffusivity in mm^2/s. The gas constant is R = 8.314e-6 mJ/(nmol K)."""
 
 
 def header(name: str, about: str, interface: InterfaceType) -> str:
@@ -166,5 +166,5 @@ def header(name: str, about: str, interface: InterfaceType) -> str:
         Decides whether the command loads the plugin.
     """
     load = " -import build/lib/libFEBioMixtureContact.so" if interface.needs_plugin else ""
-    run = f"Run it: scripts/mixcontact run models/{name}.feb\nor:     febio4 -i models/{name}.feb{load}"
+    run = f"Commands: scripts/mixcontact run models/{name}.feb\nor        febio4 -i models/{name}.feb{load}"
     return f"{about}\n\n{UNITS}\n\n{run}"

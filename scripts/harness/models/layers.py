@@ -30,13 +30,13 @@ FIRST = two_layer_convection.Layer(1.0, diffusivity=5e-4, free_diffusivity=5e-4,
 SECOND = two_layer_convection.Layer(0.75, diffusivity=5e-4, free_diffusivity=1e-3, porosity=0.6, solubility=0.5)
 
 ABOUT = """\
-Steady convection and diffusion through two layers of different material in contact at z = 1 mm.
+Steady convection and diffusion through two layers of different material that are in contact at z = 1 mm.
 
-Solvent is pressed in at z = 0 at 0.0004 mm/s and leaves at z = 1.75 mm without pressure; the effective
-concentration is 1 mM at the inlet and 0 at the outlet, which is moved by -0.0001 mm to close the contact. The upper
-layer has half the solubility and hinders the solute (d < d0), so that the convective flux W c~, with
-W = kappa~ (d/d0) w, drops to a quarter there, and the actual concentration jumps over the interface. After 10000 s the
-profile is steady."""
+Solvent enters at z = 0 with a flux of 0.0004 mm/s and leaves at z = 1.75 mm, where its pressure is zero. The effective
+concentration is 1 mM at the inlet and 0 at the outlet. The outlet moves by -0.0001 mm, which closes the contact. The
+upper layer has half the solubility of the lower one and hinders the solute (d < d0). Its convective flux W c~, with
+W = kappa~ (d/d0) w, is therefore a quarter of that in the lower layer at the same c~, and the actual concentration
+jumps across the interface. The profile is steady after 10000 s."""
 
 
 def _material(data: two_layer_convection.Layer) -> Mixture:

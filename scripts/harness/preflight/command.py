@@ -23,9 +23,10 @@ def check(
     model: Annotated[Path, typer.Argument(help="A .feb file of format 2.5, 3.0 or 4.0.")],
     json: Annotated[bool, typer.Option("--json", help="Write the findings as JSON.")] = False,
 ) -> None:
-    """Predict trouble with the sliding contacts of a model before it is run.
+    """Predict trouble with the contacts of a model before a run.
 
-    Exit code 0: nothing found, or notes alone; 1: errors or warnings; 2: the file cannot be read.
+    The exit code is 0 without findings or with notes alone, 1 with errors or warnings, and 2 if the command cannot read
+    the file.
     """
     found = preflight.check(model)
     if json:

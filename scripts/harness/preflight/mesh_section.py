@@ -293,7 +293,7 @@ def _read_nodes(document: Document) -> tuple[Points, _Numbering, dict[str, Ids]]
         for node in children(section):
             ids.append(identifier(node))
             if len(ids) > 1 and ids[-1] <= ids[-2]:
-                raise ModelError(f"{place(node)}: node numbers must increase, and {ids[-2]} stands before {ids[-1]}")
+                raise ModelError(f"{place(node)}: node numbers must increase, and {ids[-2]} comes before {ids[-1]}")
             points.append(floats(node, 3))
         if section.get("name"):
             sets[str(section.get("name"))] = np.arange(first, len(ids), dtype=np.int64)
@@ -327,7 +327,7 @@ def _read_surface(tag: Element, numbering: _Numbering) -> Surface:
     for facet in tags:
         count = elements.FACETS.get(str(facet.tag))
         if count is None:
-            raise ModelError(f"{place(facet)}: is no facet; there is {', '.join(elements.FACETS)}")
+            raise ModelError(f"{place(facet)}: is not a facet; there is {', '.join(elements.FACETS)}")
         nodes = _element(facet, count, str(facet.tag))
         rows.append(elements.four(nodes[: 3 if str(facet.tag).startswith("tri") else 4]))
     corners = numbering.places((node for row in rows for node in row), tag).reshape(len(rows), 4)

@@ -274,7 +274,7 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
         others = sorted({str(tag.get("type")) for _, tag in document.everywhere("Contact", "contact")})
         found = f"it has {', '.join(others)}" if others else "it has no <contact>"
         known = ", ".join((*TYPES, *TIED_TYPES))
-        raise ModelError(f"{path}: has no sliding contact and no tie to look at; {found}. Known types: {known}")
+        raise ModelError(f"{path}: has no sliding contact and no tie; {found}. Known types: {known}")
     return made
 
 

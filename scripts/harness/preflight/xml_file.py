@@ -228,7 +228,7 @@ def _sections(
 def _section_from(section: Element, file: Path, root: Element) -> Element:
     found = next(children(root, str(section.tag)), None)
     if found is None:
-        raise ModelError(f"{place(section)}: is to be read from {file}, which has no <{section.tag}>")
+        raise ModelError(f"{place(section)}: refers to {file}, which has no <{section.tag}>")
     return found
 
 

@@ -16,13 +16,15 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def report(
-    model: Annotated[Path, typer.Argument(help="A .feb file; its log and plot file are next to it.")],
-    output: Annotated[Path | None, typer.Option(help="Folder for the page; MODEL-report next to the model.")] = None,
+    model: Annotated[Path, typer.Argument(help="A .feb file; its log and plot file are in the same folder.")],
+    output: Annotated[
+        Path | None, typer.Option(help="Write the page to this folder; the default is MODEL-report next to the model.")
+    ] = None,
     first: Annotated[bool, typer.Option("--run", help="Run the model first.")] = False,
 ) -> None:
     """Make a page about the contact of a run: pressure on the deformed surfaces, curves over time, settings, warnings.
 
-    The page is one file, index.html, which opens from disk. Its folder also has the pictures as PNG files, and the
+    The page is one file, index.html, which opens from disk. Its folder also contains the pictures as PNG files, and the
     contact surfaces at the time of the largest force as VTK files for PyVista and ParaView.
     """
     try:

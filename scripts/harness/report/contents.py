@@ -32,7 +32,7 @@ def make(model: Path, folder: Path) -> Page:
     contacts = history.contacts(plot)
     if not contacts:
         raise DataFileError(
-            f"{model}: no surface bears a contact pressure in the plot file. Where the bodies do touch, add "
+            f"{model}: the plot file has no surface with a contact pressure. If the bodies touch, add "
             '<var type="contact pressure"/> to <plotfile> and run the model again'
         )
     shown = int(np.argmax(np.max([contact.force for contact in contacts], axis=0)))
@@ -101,4 +101,4 @@ def _notes(plot: plot_file.PlotFile) -> list[str]:
     if not missing:
         return []
     lines = ", ".join(f'<var type="{name}"/>' for name in missing)
-    return [f"More can be shown where <plotfile> of the model has {lines}."]
+    return [f"The page can show more if <plotfile> of the model contains {lines}."]

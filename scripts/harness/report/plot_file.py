@@ -148,7 +148,9 @@ def _parsed(path: Path) -> _Memory:
         raise DataFileError(f"{path}: {error.strerror}; run the model with a <plotfile type='febio'> first") from error
     except Exception as fault:
         if memory["/"].attrs.get(_COMPRESSION, np.zeros(1)).any():
-            raise DataFileError(f"{path}: compressed; set <compression>0</compression> in <plotfile>") from fault
+            raise DataFileError(
+                f"{path}: the file is compressed; set <compression>0</compression> in <plotfile>"
+            ) from fault
         raise DataFileError(f"{path}: not a plot file that pyfebio reads ({type(fault).__name__}: {fault})") from fault
     return memory
 

@@ -20,10 +20,11 @@ console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 def run(
     model: Annotated[Path, typer.Argument(help="A .feb file.")],
     chosen: Annotated[
-        hosts.Engine | None, typer.Option("--engine", help="Run the model with this engine; febio4 if it is there.")
+        hosts.Engine | None,
+        typer.Option("--engine", help="Run the model with this engine; the default is febio4 if it is installed."),
     ] = None,
 ) -> None:
-    """Run one model; the plugin is loaded where the model has a contact of type 'sliding-mixture' or 'tied-mixture'."""
+    """Run one model, with the plugin if the model has a contact of type 'sliding-mixture' or 'tied-mixture'."""
     file = febfile.inspect(model)
     contact = InterfaceType.ours_in(file.contacts)
     for host in hosts.engines(chosen, contact):

@@ -155,7 +155,9 @@ def limited(command: Sequence[str], seconds: float | None) -> list[str]:
         return list(command)
     program = shutil.which("prlimit")
     if program is None:
-        raise EngineFailedError("a limit of processor time needs the program prlimit (util-linux), which is not here")
+        raise EngineFailedError(
+            "a limit of processor time needs the program prlimit (util-linux), which is not installed"
+        )
     return [program, f"--cpu={math.ceil(seconds)}", *command]
 
 

@@ -68,7 +68,7 @@ def convection_pair(context: Context, peclet: int) -> tuple[RunResult, RunResult
 
 
 def diffusion_against_reference(context: Context) -> list[Measure]:
-    """3.1 with default settings: the split body against its conforming reference in concentration and iterations."""
+    """Problem 3.1, default settings: the split body agrees with its conforming reference."""
     split, reference = diffusion_pair(context)
     iterations, allowed = split.report.iterations, 1.05 * reference.report.iterations
     difference = compare.largest_difference(split, reference, "c1") / diffusion.AMBIENT
@@ -81,7 +81,7 @@ def diffusion_against_reference(context: Context) -> list[Measure]:
 
 
 def diffusion_against_closed_form(context: Context) -> list[Measure]:
-    """3.1 with default settings: the error against the closed form, next to that of the conforming reference."""
+    """Problem 3.1, default settings: the error against the closed form is that of the conforming reference."""
     split, reference = diffusion_pair(context)
     measures = []
     for time in (400.0, 2000.0, 8000.0):
@@ -102,12 +102,12 @@ def exact_diffusion(run: RunResult, time: float) -> NDArray[np.float64]:
 def convection_against_closed_form(
     context: Context, peclets: Sequence[int] = tuple(convection.PRESSURES)
 ) -> list[Measure]:
-    """3.2 with default settings: the error against the closed form must be that of the conforming reference."""
+    """Problem 3.2, default settings: the error against the closed form is that of the conforming reference."""
     measures = []
     for peclet in peclets:
         split, reference = convection_pair(context, peclet)
         own, by_mesh = (compare.error_at(run, "c1", exact_convection(run, peclet)) for run in (split, reference))
-        name = f"3.2 Pe = {peclet}, error in c less that of the conforming reference"
+        name = f"3.2 Pe = {peclet}, error in c in excess of the conforming reference"
         iterations = f"iterations {split.report.iterations}, conforming: {reference.report.iterations}"
         note = f"{own:.2e}, conforming: {by_mesh:.2e}; {iterations}"
         measures.append(Measure(name, abs(own - by_mesh), SPLIT_BAR, note=note))
@@ -133,14 +133,14 @@ def indentation_pair(context: Context) -> tuple[RunResult, RunResult]:
 
 
 def indentation_balances(context: Context) -> list[Measure]:
-    """3.3 to 6000 s: balance of solute, bounds, ambient values, contact conditions, either body as primary."""
+    """Problem 3.3 meets balances, bounds, ambient values and contact conditions, with either body as primary."""
     run, other = indentation_pair(context)
     curves, others = (histories.curves(each) for each in (run, other))
     return [*measures.of_a_run(run, curves), *measures.of_both_primaries(curves, others)]
 
 
 def leak_of_a_penalty(context: Context) -> list[Measure]:
-    """The paper's penalties without augmentation must leave the jump that follows from them, not a smaller one."""
+    """The article's penalties without augmentation leave the jump that follows from these penalties."""
     steady = convection.Convection(context.interface, PAPER, control=Control(20, 1000.0), name="leak", peclet=0).model()
     jump = compare.jump(context.runner(steady), "c1", PAIR)
     expected = expected_leak(PAPER)
@@ -158,7 +158,7 @@ def expected_leak(settings: ContactSettings) -> float:
 
 
 def augmentation(context: Context) -> list[Measure]:
-    """3.1 with the paper's penalties and the augmented Lagrangian: the jump closes, at a bounded cost."""
+    """Problem 3.1, the article's penalties, AUGLAG: the jump closes within a limit of iterations."""
     split, reference = diffusion_pair(context, augmented(PAPER, 1e-6))
     history = split.nodes
     below, above = compare.facing(split.model.mesh, PAIR)
@@ -172,7 +172,7 @@ def augmentation(context: Context) -> list[Measure]:
 
 
 def composite_layers(context: Context) -> list[Measure]:
-    """A composite slab, whose actual concentration jumps: against the conforming reference and the closed form."""
+    """A composite slab, with a jump of c, agrees with the conforming reference and the closed form."""
     runs = against_conforming(context, composite.Composite(context.interface))
     time = 2000.0
     exact = composite_slab.concentration(runs[0].model.mesh.nodes[:, 2], time, composite.FIRST, composite.SECOND)
@@ -184,7 +184,7 @@ def composite_layers(context: Context) -> list[Measure]:
 
 
 def convection_layers(context: Context) -> list[Measure]:
-    """Steady convection through two layers with a partition jump: against the reference and the closed form."""
+    """Steady convection through two layers, with a jump of c, agrees with the reference and the closed form."""
     runs = against_conforming(context, layers.Layers(context.interface))
     error = compare.error_at(runs[0], "c1", exact_layers(runs[0]))
     return [
@@ -199,7 +199,7 @@ def exact_layers(run: RunResult) -> NDArray[np.float64]:
 
 
 def confined_creep(context: Context) -> list[Measure]:
-    """Confined creep of a split layer: against the conforming reference and the closed form."""
+    """Confined creep of a split layer agrees with the conforming reference and the closed form."""
     runs = against_conforming(context, confined.Confined(context.biphasic))
     scale = confined.LOAD / confined.MODULUS * confined.HEIGHT
     pressures = compare.largest_difference(*runs, "p") / confined.LOAD
@@ -227,7 +227,7 @@ def creep_error(run: RunResult) -> float:
 
 
 def orders(context: Context) -> list[Measure]:
-    """Observed orders in h and dt of c on 3.1, from the differences between successive refinements."""
+    """Problem 3.1: observed orders of c in h and dt are those of the elements and the time integration."""
     by_mesh = [_coarse_diffusion(context, elements, 10) for elements in (5, 10, 20)]
     by_step = [_coarse_diffusion(context, 10, steps) for steps in (10, 20, 40)]
     space, time = _order(by_mesh), _order(by_step)
@@ -267,7 +267,7 @@ def _both_sides(run: RunResult, z: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def closed_forms_agree(_: Context) -> list[Measure]:
-    """The closed forms agree where one is a special case of another; no model runs."""
+    """A closed form agrees with another of which it is a special case; no model runs."""
     z = np.linspace(0.0, 2.0, 41)
     half = composite_slab.Layer(1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)
     halves = composite_slab.concentration(z, 800.0, half, half)

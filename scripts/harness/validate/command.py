@@ -33,20 +33,21 @@ def validate(
     interface: Annotated[
         InterfaceType, typer.Option(help="Join the bodies by this interface.")
     ] = InterfaceType.MIXTURE,
-    only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
+    only: Annotated[list[str] | None, typer.Option(help="Make only this check. The option may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results and pictures to this folder.")] = RESULTS,
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = min(2, os.cpu_count() or 1),
     chosen: Annotated[
-        hosts.Engine | None, typer.Option("--engine", help="Run the models with this engine; febio4 if it is there.")
+        hosts.Engine | None,
+        typer.Option("--engine", help="Run the models with this engine; the default is febio4 if it is installed."),
     ] = None,
 ) -> None:
-    """Run the paper's problems, compare with the closed forms, and draw figures 3.2 to 3.4.
+    """Run the article's problems, compare the results with closed forms, and draw figures 3.2 to 3.4.
 
-    The embedded engine runs the models if there is no febio4. Exit code 0: every tolerance is met; 1: one is missed;
-    3: none is missed, but checks were left out.
+    The embedded engine runs the models if febio4 is not installed. The exit code is 0 if the results meet all
+    tolerances, and 1 if they miss one. It is 3 if they miss none, but the command could not make all checks.
     """
     if interface is InterfaceType.CONFORMING:
-        raise typer.BadParameter("'conforming' is what the others are compared with", param_hint="--interface")
+        raise typer.BadParameter("'conforming' is the reference of the others", param_hint="--interface")
     known = {check.name: check for check in CHECKS}
     checks = [known[name] for name in choice.chosen(only, known)]
     engines = hosts.engines(chosen, interface)
@@ -120,10 +121,10 @@ def _conclude(found: list[results.Results]) -> None:
         reasons = " ".join(dict.fromkeys(left_out.values()))
         console.print(
             f"[bold yellow]Left out:[/] {', '.join(left_out)}. The reason: {escape(reasons)} "
-            "What needs no run was done: the closed forms were checked, and the figures show them alone."
+            "The command has checked the closed forms, and the figures show these alone."
         )
     if missed:
-        console.print(f"[bold red]{missed} of the tolerances are missed.[/]")
+        console.print(f"[bold red]{missed} results miss their tolerances.[/]")
         raise typer.Exit(MISSED)
     if left_out:
         raise typer.Exit(LEFT_OUT)
@@ -133,7 +134,7 @@ def _conclude(found: list[results.Results]) -> None:
 def plot(
     file: Annotated[Path, typer.Argument(help="Read this file of `validate`.")] = RESULTS / results.FILE_NAME,
     folder: Annotated[
-        Path | None, typer.Option(help="Write pictures to this folder; next to the file by default.")
+        Path | None, typer.Option(help="Write pictures to this folder; the default is the folder of the file.")
     ] = None,
 ) -> None:
     """Draw the pictures again."""

@@ -19,7 +19,7 @@ from studies.price import table
 SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"
 """Where the names of devices stand."""
 ALL, NONE = "all", "none"
-ACTED = re.compile(r"How often devices of the solver acted: (.*)\.$", re.MULTILINE)
+ACTED = re.compile(r"Number of actions of each solver device: (.*)\.$", re.MULTILINE)
 
 
 @dataclass(frozen=True)

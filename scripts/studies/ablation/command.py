@@ -22,16 +22,18 @@ console = Console(highlight=False, soft_wrap=True)
 
 def ablation(
     only: Annotated[
-        list[str] | None, typer.Option(help="Run scenes whose names contain this; may be repeated.")
+        list[str] | None, typer.Option(help="Run scenes whose names contain this text. The option may be repeated.")
     ] = None,
-    device: Annotated[list[str] | None, typer.Option(help="Leave out this one alone; may be repeated.")] = None,
+    device: Annotated[
+        list[str] | None, typer.Option(help="Switch off only this device. The option may be repeated.")
+    ] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "ablation",
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
-    """Run scenes with all devices of the solver, and with each device left out that acts there.
+    """Run scenes with all devices of the solver, and again without each device that acts in the scene.
 
-    Iterations, retries, matrices, entries and times go to ablation.csv.
+    The command writes iterations, retries, matrices, entries and times to ablation.csv.
     """
     devices = chosen(device, ablated_runs.devices(), "--device")
     scenes = [name for name in SCENES if not only or any(part in name for part in only)]

@@ -21,14 +21,15 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def agreement(
-    only: Annotated[list[str] | None, typer.Option(help="Run this scene alone; may be repeated.")] = None,
+    only: Annotated[list[str] | None, typer.Option(help="Run only this scene. The option may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write runs to this folder.")] = RESULTS / "agreement",
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
 ) -> None:
     """Run models with FEBio's interface and converted on finer and finer meshes, and compare both with the finest.
 
-    Forces, areas of contact, contents, and fields. Runs that are in the folder already are kept.
+    The results are forces, areas of contact, contents, and fields. The command keeps runs that are already in the
+    folder.
     """
     tell = partial(console.print, markup=False)
     rows = [row for name in chosen(only, comparisons.MESHES) for row in comparisons.compare(name, folder, limit, tell)]

@@ -107,7 +107,7 @@ def details(rows: Sequence[Row]) -> str:
     """How often ours is nearer, and smallest and largest errors of both interfaces on the coarse mesh."""
     kinds = _kinds(rows)
     counts = [f"{sum(a > b for a, b in _errors(own))} of {len(own)} {name}" for name, own in kinds.items()]
-    told = [f"The converted model is nearer to the fine answer in {' and '.join(counts)}."]
+    told = [f"The converted model is nearer to the fine answer in {' and in '.join(counts)}."]
     for name, own in _kinds(rows).items():
         theirs, ours = zip(*_errors(own), strict=True)
         told.append(

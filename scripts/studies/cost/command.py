@@ -39,19 +39,29 @@ class Part(str, Enum):
 
 
 def cost(
-    error: Annotated[float | None, typer.Option(min=0.0, help="Answer for this error instead of measuring.")] = None,
-    problem: Annotated[list[Problem] | None, typer.Option(help="This problem alone; may be repeated.")] = None,
-    data: Annotated[Path, typer.Option(help="Read answers, and settings to be timed in turn, from this file.")] = DATA,
-    only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
-    number: Annotated[int, typer.Option("--rounds", min=1, help="How often interfaces are timed in turn.")] = 9,
+    error: Annotated[
+        float | None, typer.Option(min=0.0, help="Name settings for this error instead of a measurement.")
+    ] = None,
+    problem: Annotated[
+        list[Problem] | None, typer.Option(help="Measure only this problem. The option may be repeated.")
+    ] = None,
+    data: Annotated[
+        Path, typer.Option(help="Read answers from this file, and the settings that the command times in turn.")
+    ] = DATA,
+    only: Annotated[list[Part] | None, typer.Option(help="Measure only this part. The option may be repeated.")] = None,
+    number: Annotated[
+        int, typer.Option("--rounds", min=1, help="Number of rounds in which the command times all interfaces in turn.")
+    ] = 9,
     folder: Annotated[Path, typer.Option(help="Write measurements and pictures to this folder.")] = RESULTS / "cost",
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time; more than one disturbs the times.")] = 1,
-    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
-    snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
+    jobs: Annotated[
+        int, typer.Option(min=1, help="Number of simultaneous runs; more than one distorts the times.")
+    ] = 1,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
+    snakemake: Annotated[list[str] | None, typer.Argument(help="Options for Snakemake, after --.")] = None,
 ) -> None:
-    """Measure error and time over all parameters, problems and interfaces; --error names settings for an error.
+    """Measure error and time for all parameters, problems and interfaces, or name settings for an error (--error).
 
-    The measurement is some hundreds of runs; one that was interrupted goes on where it was.
+    The measurement takes some hundreds of runs. After an interruption, the command continues with the missing runs.
     """
     chosen = problem or list(Problem)
     if error is not None:
@@ -135,7 +145,7 @@ def cost_sweep(
     parameter: Parameter,
     out: Annotated[Path, typer.Option(help="Write the data to this file, as JSON.")] = Path("sweep.json"),
 ) -> None:
-    """Measure one problem with one interface, one parameter varied."""
+    """Measure one problem with one interface for several values of one parameter."""
     runner = Runner(RESULTS / "cost" / "runs", processor_limit=LIMIT)
     chosen = [point for point in points([problem]) if (point.interface, point.parameter) == (interface, parameter)]
     files.write_json(point_runs.measure(chosen, runner), out)
@@ -143,8 +153,10 @@ def cost_sweep(
 
 def cost_interleaved(
     problem: Problem,
-    kind: Annotated[interleaved.Kind, typer.Argument(help="Which size; instructions are counted of the short one.")],
-    number: Annotated[int, typer.Argument(min=0, help="Which round.")],
+    kind: Annotated[
+        interleaved.Kind, typer.Argument(help="Size of the model; the command counts instructions for the short one.")
+    ],
+    number: Annotated[int, typer.Argument(min=0, help="Number of the round.")],
     data: Annotated[Path, typer.Option(help="Read settings from this file.")] = DATA,
     out: Annotated[Path, typer.Option(help="Write the times to this file, as JSON.")] = Path("interleaved.json"),
 ) -> None:

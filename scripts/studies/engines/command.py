@@ -21,10 +21,12 @@ MISSED = 1
 
 
 def engines(
-    only: Annotated[list[str] | None, typer.Option(help="Compare this problem alone; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Compare only this problem. The option may be repeated.")
+    ] = None,
     folder: Annotated[Path, typer.Option(help="Write runs to this folder.")] = RESULTS,
 ) -> None:
-    """Run problems 3.1 to 3.3 with febio4 and with the embedded engine, both to rounding, and compare all nodes."""
+    """Run problems 3.1 to 3.3 with febio4 and the embedded engine, with tight tolerances, and compare all nodes."""
     known = {comparison.name: comparison for comparison in COMPARISONS}
     names = chosen(only, known)
     runners = [Runner(folder / "engines" / host.name, host=host) for host in (FEBIO4, STANDALONE)]

@@ -18,14 +18,17 @@ console = Console(highlight=False, soft_wrap=True)
 
 def evidence(
     only: Annotated[
-        list[str] | None, typer.Option(help="Do this step alone, done or not; may be repeated.", metavar="STEP")
+        list[str] | None,
+        typer.Option(
+            help="Do only this step, even if its results are up to date. The option may be repeated.", metavar="STEP"
+        ),
     ] = None,
 ) -> None:
     """Measure all comparisons and all other evidence of the documentation again, one step at a time.
 
-    Each run has one thread and, where it is compared with FEBio's interfaces, the same limit. A step whose files in
-    docs/data were made with the plugin's present commit and that limit is left out, so that a run that was interrupted
-    goes on. Nothing else should run meanwhile: some steps are timed.
+    Each run has one thread. All runs of a comparison with FEBio's interfaces have the same limit. The command skips a
+    step if the present commit of the plugin made its files in docs/data with this limit. It therefore continues after
+    an interruption. Nothing else should run at the same time, because some steps measure times.
     """
     steps = _chosen(only)
     commit = committed()

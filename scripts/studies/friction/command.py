@@ -27,16 +27,17 @@ Limit = Annotated[float, typer.Option(help="Limit each run to this processor tim
 
 
 def friction_cases(
-    only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
-    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run this mesh alone.")] = None,
-    febio: Annotated[bool, typer.Option(help="Run FEBio's friction, too, with two factors on its penalties.")] = True,
+    only: Annotated[list[str] | None, typer.Option(help="Run only this case. The option may be repeated.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run only this mesh.")] = None,
+    febio: Annotated[bool, typer.Option(help="Also run FEBio's friction, with two factors on its penalties.")] = True,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "friction-cases",
     limit: Limit = LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Write the data of the documentation, too.")] = False,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the data of the documentation.")] = False,
 ) -> None:
     """Run the hard cases of friction on two meshes, with friction and without, and write the table.
 
-    `pages` writes the page of the documentation from the data. Exit code 0: all end, and all checks are met.
+    `pages` writes the page of the documentation from the data. The exit code is 0 if all runs complete and pass all
+    checks.
     """
     cases = chosen(only, CASES)
     runner = Runner(folder / "runs", processor_limit=limit)

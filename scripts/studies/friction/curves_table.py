@@ -57,7 +57,7 @@ def _table(rows: Sequence[Row], problem: str, place: str, places: Sequence[float
     ]
     found = {series: values_at(rows, problem, series, places).tolist() for series in runs}
     far = [outside(v, s) for v, s in zip(found["fine mesh"], published.spread(curves), strict=True)]
-    heads = [place, *curves, *runs, "fine mesh outside of published"]
+    heads = [place, *curves, *runs, "fine mesh outside published range"]
     lines = []
     for at, *values, out in zip(places, *curves.values(), *found.values(), far, strict=True):
         cells = ["fails before" if np.isnan(v) else f"{v:.2f}" for v in values]

@@ -53,8 +53,8 @@ def beside(models: Sequence[Row]) -> str:
         for pairs in ([(row.converted, row) for row in models], [(row.defaults, row) for row in models])
     )
     return (
-        f"{converted} of {len(models)} scenes take at most the iterations of FEBio's interface with its penalties. "
-        f"{defaults} do so with the stiffer defaults."
+        f"{converted} of {len(models)} scenes take no more iterations than FEBio's interface with the same penalties. "
+        f"With the stiffer default penalties, this holds for {defaults} scenes."
     )
 
 

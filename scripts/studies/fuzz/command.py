@@ -26,17 +26,18 @@ TIMEOUT = 60.0
 
 
 def fuzz(
-    kind: Annotated[list[Kind] | None, typer.Option(help="Draw this kind alone; both are drawn without it.")] = None,
-    seed: Annotated[int, typer.Option(min=0, help="First seed.")] = 0,
+    kind: Annotated[list[Kind] | None, typer.Option(help="Draw only this kind; the default draws both kinds.")] = None,
+    seed: Annotated[int, typer.Option(min=0, help="First seed of the random numbers.")] = 0,
     count: Annotated[int, typer.Option(min=1, help="Largest number of seeds of each kind.")] = 1000,
-    minutes: Annotated[float, typer.Option(min=0.0, help="Wall time; calling again goes on.")] = 60.0,
+    minutes: Annotated[float, typer.Option(min=0.0, help="Wall time in minutes; the next call continues.")] = 60.0,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "fuzz",
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = 1,
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = 1,
 ) -> None:
-    """Run random scenes and random parameters until the time is over; exit code 1 where a fault was found.
+    """Run random scenes and random parameters for a given time; the exit code is 1 if the command finds a fault.
 
-    A fault is a crash, NaN in the results of a run that ended, forces or flows of the two sides that do not cancel.
-    A refusal without a message that names the fault is one, too. Each is a seed: `fuzz --seed N --count 1`.
+    A fault is a crash, NaN in the results of a completed run, or forces or flows of the two sides that do not cancel.
+    An error without a message that names its cause is also a fault. `fuzz --seed N --count 1` repeats the fault of the
+    seed N.
     """
     deadline = time.time() + 60.0 * minutes
     wanted = {}
@@ -67,10 +68,10 @@ def fuzz_seeds(
     kind: Kind,
     first: int,
     count: int,
-    deadline: Annotated[float, typer.Argument(help="Time (s since 1970) after which no run begins.")],
+    deadline: Annotated[float, typer.Argument(help="Time (s since 1970) after which the command starts no run.")],
     out: Annotated[Path, typer.Option(help="Write the outcomes to this file, as JSON.")] = Path("fuzz.json"),
 ) -> None:
-    """Run some seeds; without a result where the time is over before the end."""
+    """Run some seeds, and write no result if the time is over before the end."""
     runner = Runner(RESULTS / "fuzz" / "runs", timeout=TIMEOUT)
     trials: list[Trial] = []
     for seed in range(first, first + count):

@@ -152,7 +152,7 @@ TWO_PASS = (Param("two_pass", True),)
 CASES: dict[str, Case] = {
     "touch-gap-element": Case("first touch from a gap of one element", Press(gap=1.0, in_elements=True)),
     "touch-gap-1e-12": Case("first touch from a gap of 1e-12 mm", Press(gap=1e-12, newton=1e-6)),
-    "overlap-tenth": Case("initial overlap of 10% of an element", Press(gap=-0.1, in_elements=True)),
+    "overlap-tenth": Case("initial overlap of 10 % of an element", Press(gap=-0.1, in_elements=True)),
     "ten-cycles": Case(
         "separation and re-contact, ten cycles",
         Press(
@@ -184,7 +184,7 @@ CASES: dict[str, Case] = {
     "corner-on-face": Case("corner on face", CORNER, pointwise=SHARP, swap=SHARP),
     "corner-two-pass": Case("corner on face, two_pass 1", replace(CORNER, extra=TWO_PASS), pointwise=SHARP, swap=SHARP),
     "slide-off-edge": Case(
-        "sliding off an edge until 40% are left",
+        "sliding off an edge until 40 % remain",
         Pushed(
             lambda f: slab((0.0, 0.0, -0.5), (2.0, 0.25, 0.0), (8 * f, 1, 2 * f)),
             lambda f: slider(0.8, 4 * f, 1.1),

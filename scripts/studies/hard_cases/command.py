@@ -26,18 +26,18 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def hard_cases(
-    only: Annotated[list[str] | None, typer.Option(help="Run this case alone; may be repeated.")] = None,
-    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run this mesh alone.")] = None,
-    interface: Annotated[list[Interface] | None, typer.Option(help="Run this interface alone.")] = None,
+    only: Annotated[list[str] | None, typer.Option(help="Run only this case. The option may be repeated.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run only this mesh.")] = None,
+    interface: Annotated[list[Interface] | None, typer.Option(help="Run only this interface.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "hard-cases",
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
-    snakemake: Annotated[list[str] | None, typer.Argument(help="Further options of Snakemake, after --.")] = None,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
+    snakemake: Annotated[list[str] | None, typer.Argument(help="Options for Snakemake, after --.")] = None,
 ) -> None:
     """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
 
-    A run that is done is kept. Exit code 0: sliding-mixture ends and passes everywhere.
+    The command keeps completed runs. The exit code is 0 if sliding-mixture completes all runs and passes all checks.
     """
     wanted = {
         f"{case}-{made.value}-{each.value}": (
@@ -79,9 +79,11 @@ def _write_docs(found: list[Outcome], stamp: Stamp) -> None:
 
 
 def hard_case(
-    name: Annotated[str, typer.Argument(help="Which case.")],
-    mesh: Annotated[Fineness, typer.Argument(help="Which mesh.")] = Fineness.COARSE,
-    interface: Annotated[list[Interface] | None, typer.Option(help="This interface alone; may be repeated.")] = None,
+    name: Annotated[str, typer.Argument(help="Name of the case.")],
+    mesh: Annotated[Fineness, typer.Argument(help="Name of the mesh.")] = Fineness.COARSE,
+    interface: Annotated[
+        list[Interface] | None, typer.Option(help="Run only this interface. The option may be repeated.")
+    ] = None,
     out: Annotated[Path | None, typer.Option(help="Write the records to this file, as JSON.")] = None,
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
 ) -> None:

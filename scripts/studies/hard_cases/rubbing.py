@@ -135,7 +135,7 @@ CASES: dict[str, Rubbing] = {
         _slide(((0.0, (0.0, 0.0, 0.01)), (1000.0, (0.4, 0.0, -0.04))), every(25.0, 1000.0), least=0.3),
     ),
     "over-an-edge": Rubbing(
-        "sliding over an edge until 40% are left",
+        "sliding over an edge until 40 % remain",
         replace(_slide((*PRESSED, (2000.0, (0.7, 0.0, -0.03))), every(50.0, 2000.0)), shape=partial(block, start=1.1)),
     ),
     "lost-in-slip": Rubbing("loss of contact in slip, and touch again", _slide(LIFTED_IN_SLIP, every(50.0, 2700.0))),

@@ -17,7 +17,7 @@ from studies.pages.evidence import DATA, EvidencePage
 from studies.pages.verification import Section
 
 SOURCE, ELASTIC_SOURCE = "biphasic-hertz.csv", "elastic-hertz.csv"
-SPLIT = ("split against conforming", "less that of the conforming reference")
+SPLIT = ("split against conforming", "in excess of the conforming reference")
 """In names of measures that compare with the conforming reference."""
 
 
@@ -44,8 +44,8 @@ def headline(sections: Sequence[Section]) -> str:
     measures = [measure for section in sections for measure in section.measures]
     near = sum(_used(measure) > HALF for measure in measures)
     return (
-        f"{sum(measure.passed for measure in measures)} of {len(measures)} figures meet the tolerances that this "
-        f"project chose. {near} figures use more than half of theirs."
+        f"{sum(measure.passed for measure in measures)} of {len(measures)} results meet the tolerances that this "
+        f"project chose. {near} results use more than half of their tolerance."
     )
 
 
@@ -55,8 +55,8 @@ def details(checks: int) -> str:
     rows = files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow)
     hertz = max(abs(error) for _, found in _elastic_errors(rows) for error in found)
     return (
-        f"The figures come from {checks} checks against closed forms, conforming references and balances. Hertz's "
-        "contacts have no tolerance and are not among these figures. Half-widths, radii and peaks of a "
+        f"The results come from {checks} checks against closed forms, conforming references and balances. Hertz's "
+        "contacts have no tolerance and are not among these results. Half-widths, radii and peak pressures of a "
         f"cylinder and a sphere differ from the closed forms by up to {100.0 * hertz:.1f} %. Those of thin biphasic "
         f"layers, whose closed form is asymptotic, differ by up to {100.0 * layers:.1f} %."
     )

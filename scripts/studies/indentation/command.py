@@ -55,25 +55,28 @@ MOST_AUGMENTATIONS = 25
 
 
 def indentation(
-    variant: Annotated[Variant, typer.Option(help="Which member of the family.")] = Variant.PLAIN,
+    variant: Annotated[Variant, typer.Option(help="Variant of the problem.")] = Variant.PLAIN,
     interface: Annotated[
         InterfaceType, typer.Option(help="Join the bodies by this interface.")
     ] = InterfaceType.MIXTURE,
-    solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
+    solver: Annotated[Solver, typer.Option(help="Use this solver of FEBio.")] = Solver.UNCLAMPED,
     configuration: Annotated[
-        Configuration | None, typer.Option(help="A configuration of the study; the interface's defaults without it.")
+        Configuration | None,
+        typer.Option(help="Use this configuration of the study; the default is that of the interface."),
     ] = None,
-    segments: Annotated[bool, typer.Option("--segments", help="Segment integration (sliding-mixture only).")] = False,
+    segments: Annotated[
+        bool, typer.Option("--segments", help="Integrate over segments (sliding-mixture only).")
+    ] = False,
     laugon: Annotated[
-        Enforcement | None, typer.Option(help="Take this enforcement, not that of the configuration.")
+        Enforcement | None, typer.Option(help="Use this enforcement in place of that of the configuration.")
     ] = None,
     tolerance: Annotated[float | None, typer.Option(help="Relative tolerance of gaps and jumps.")] = None,
-    free_top: Annotated[bool, typer.Option("--free-top", help="Let the round body's flat top slide.")] = False,
+    free_top: Annotated[bool, typer.Option("--free-top", help="Let the flat top of the round body slide.")] = False,
     folder: Annotated[Path, typer.Option(help="Write results and pictures to this folder.")] = RESULTS,
 ) -> None:
-    """Run problem 3.3, a semi-cylinder driven into a slab, and draw figure 3.4 and its curves.
+    """Run problem 3.3, a semi-cylinder that moves into a slab, and draw figure 3.4 and its curves.
 
-    A run that ends early is drawn as far as it came; the exit code is then 1.
+    The command draws a failed run up to its last converged state. The exit code is then 1.
     """
     problem = replace(variant.problem, interface=interface, module=solver.module, clamp=solver.clamp)
     if configuration is not None:
@@ -120,12 +123,14 @@ def indentation_study(
     interface: Annotated[
         InterfaceType, typer.Option(help="Join the bodies by this interface.")
     ] = InterfaceType.MIXTURE,
-    solver: Annotated[Solver, typer.Option(help="FEBio's solver.")] = Solver.UNCLAMPED,
-    default_penalties: Annotated[bool, typer.Option(help="The interface's own penalties, not FEBio's scaled.")] = False,
+    solver: Annotated[Solver, typer.Option(help="Use this solver of FEBio.")] = Solver.UNCLAMPED,
+    default_penalties: Annotated[
+        bool, typer.Option(help="Use the default penalties of the interface, not FEBio's scaled ones.")
+    ] = False,
     timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = configurations.TIMEOUT,
     folder: Annotated[Path, typer.Option(help="Write runs and the table to this folder.")] = RESULTS,
 ) -> None:
-    """Run problem 3.3 in the five configurations in which FEBio's interfaces fail, and list how each run went."""
+    """Run problem 3.3 in the five configurations in which FEBio's interfaces fail, and list the outcome of each run."""
     cases = [Case(c, interface, solver.module, solver.clamp, not default_penalties) for c in Configuration]
 
     def tell(row: Row) -> None:
@@ -142,21 +147,21 @@ def indentation_study(
 
 
 def indentation_extremes(
-    only: Annotated[list[str] | None, typer.Option(help="Cases by name, instead of all.")] = None,
+    only: Annotated[list[str] | None, typer.Option(help="Run only the cases of these names.")] = None,
     folder: Annotated[Path, typer.Option(help="Write runs, table and picture to this folder.")] = RESULTS,
 ) -> None:
-    """Concentrations below 0 and above 1 mM in problem 3.3, and in bodies without contact, by mesh and for d0 = d."""
+    """List concentrations outside 0 to 1 mM in problem 3.3 and in bodies without contact, by mesh, and for d0 = d."""
     runs = extremes.run(Runner(folder / "runs", timeout=None), only)
     console.print(extremes.table(runs), markup=False)
     console.print(f"Written: {extremes.draw(runs, folder / 'indentation-extremes.png')}")
 
 
 def indentation_convergence(
-    primary: Annotated[list[Arrangement] | None, typer.Option(help="Run these arrangements alone.")] = None,
-    meshes: Annotated[int, typer.Option(min=1, max=3, help="How many, from the coarsest on.")] = 3,
+    primary: Annotated[list[Arrangement] | None, typer.Option(help="Run only these arrangements.")] = None,
+    meshes: Annotated[int, typer.Option(min=1, max=3, help="Number of meshes, from the coarsest.")] = 3,
     folder: Annotated[Path, typer.Option(help="Write runs and the table to this folder.")] = RESULTS,
 ) -> None:
-    """Problem 3.3 on three meshes with the same steps: values at four times, observed orders. Takes half an hour."""
+    """Run problem 3.3 on three meshes with the same steps, and list values and observed orders in half an hour."""
 
     def tell(solved: Solved) -> None:
         report = solved.result.report

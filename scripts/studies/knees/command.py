@@ -23,15 +23,17 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def knee(
-    stance: Annotated[Size, typer.Option(help="How fine the knee in stance is.")] = Size.SMALL,
-    gait: Annotated[Size, typer.Option(help="How fine the knee in gait is.")] = Size.COARSE,
+    stance: Annotated[Size, typer.Option(help="Size of the knee in stance.")] = Size.SMALL,
+    gait: Annotated[Size, typer.Option(help="Size of the knee in gait.")] = Size.COARSE,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "knee",
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = page.LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Write data, page and picture of the documentation.")] = False,
+    docs: Annotated[
+        bool, typer.Option("--docs", help="Also write data, page and picture of the documentation.")
+    ] = False,
 ) -> None:
     """Run the elastic knee with sliding-mixture and with FEBio's interface, and draw the pressure of both.
 
-    A run that is done is kept.
+    The command keeps completed runs.
     """
     try:
         compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))

@@ -20,14 +20,15 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def linear_solvers(
-    only: Annotated[list[str] | None, typer.Option(help="Solvers of this type alone; may be repeated.")] = None,
-    data: Annotated[Path, typer.Option(help="The file whose rows are measured again.")] = RESULTS
-    / "linear-solvers.json",
-    build: Annotated[str, typer.Option(help="Add this to the version of FEBio, e.g. 'with SuperLU_MT'.")] = "",
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run only solvers of this type. The option may be repeated.")
+    ] = None,
+    data: Annotated[Path, typer.Option(help="Replace the rows of this file.")] = RESULTS / "linear-solvers.json",
+    build: Annotated[str, typer.Option(help="Add this text to the version of FEBio, e.g. 'with SuperLU_MT'.")] = "",
 ) -> None:
-    """Solve small models by FEBio's linear solvers under each enforcement, and write the table.
+    """Run small models with each of FEBio's linear solvers and each enforcement, and write the table.
 
-    `--data docs/data/linear-solvers.json` measures for the documentation; `pages` then writes its page.
+    `--data docs/data/linear-solvers.json` measures for the documentation, and `pages` then writes its page.
     """
     types = chosen(only, sorted({solver.type for solver in SOLVERS}))
     solvers = tuple(solver for solver in SOLVERS if solver.type in types)

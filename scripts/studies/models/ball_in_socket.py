@@ -38,8 +38,8 @@ PERMEABILITY = 1e-3
 PRESSED, SLID = 0.25, 1.0
 """mm by which the bone of the ball comes down, and then goes sideways."""
 ABOUT = """\
-A ball in its socket: two layers of {material}, 2 mm thick, on rigid bone. The ball has a radius of 10 mm.
-Its bone comes down by {pressed:g} mm and then goes sideways by {slid:g} mm."""
+A ball in its socket: two layers of {material} with a thickness of 2 mm cover rigid bone. The ball has a radius of
+10 mm. Its bone moves down by {pressed:g} mm and then sideways by {slid:g} mm."""
 
 
 @dataclass(frozen=True)

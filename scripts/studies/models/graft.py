@@ -48,14 +48,15 @@ GROWTH = 1.3
 """Of the elements of the host, from the wall of the defect outwards."""
 
 ABOUT = """\
-A graft in a defect of cartilage, fed by the host across its contact.
+A graft in a defect of cartilage, to which the host supplies a nutrient across the contact.
 
-A cylindrical graft, 2.02 mm in radius and 2 mm high, is pressed into a defect 2 mm in radius that reaches to the bone.
-The host holds 1 mM of a nutrient, and its top and outer side (radius 5 mm) are kept at 1 mM without fluid pressure, so
-that the effective fluid pressure there is -R T c = -0.0024776 MPa. The graft holds none at first; a membrane closes
-its top: the nutrient enters across the wall alone; only the rim that protrudes is at ambient values. The graft is
-softer, more permeable and has a solubility of 0.9, so that the actual concentration jumps at the wall while the
-effective one does not. The bone below is impermeable; the top is free of load. By symmetry a quarter is modelled."""
+A cylindrical graft with a radius of 2.02 mm and a height of 2 mm is pressed into a defect with a radius of 2 mm that
+reaches to the bone. The host contains 1 mM of a nutrient. The fluid at its top and at its outer side (radius 5 mm) has
+1 mM and no pressure. The effective fluid pressure there is therefore -R T c = -0.0024776 MPa. The graft contains no
+nutrient at the start, and an impermeable membrane closes its top. The nutrient enters through the wall alone. Only the
+protruding rim of the graft has the ambient values. The graft is softer and more permeable than the host, and its
+solubility is 0.9. The actual concentration therefore jumps at the wall, and the effective concentration does not. The
+bone below is impermeable, and no load acts on the top. By symmetry, the model contains a quarter of both bodies."""
 
 
 @dataclass(frozen=True)

@@ -55,24 +55,26 @@ EFFECTIVE_PRESSURE = -GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * AMBIENT
 """MPa, where the concentration is `AMBIENT` and the fluid pressure 0."""
 
 SECTION = """\
-Two layers of 1 mm on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
-0.05 to 0.15 mm and back, with a period of 20 s. """
-SYMMETRY = """By symmetry half is modelled, as a
-layer of one element with no displacement along z."""
+Two layers of 1 mm cover rigid bone. The upper layer is convex with a radius of 15 mm. The upper bone approaches by
+0.05 to 0.15 mm and back, with a period of 20 s.
+"""
+SYMMETRY = """\
+By symmetry, the model contains one half of the section, as a layer of one element with no displacement along z."""
 UPTAKE = f"""\
-Cartilage on cartilage: a section of a joint that takes up solute from the synovial fluid under cyclic loading.
+Cartilage on cartilage: a section of a joint takes up solute from the synovial fluid under cyclic loading.
 
-{SECTION}The layers hold no solute at first. The synovial fluid wets what is
-not in contact; within the first cycle its concentration rises to 1 mM, and its effective pressure falls to
--R T c = -0.0024776 MPa with it, so that its fluid pressure is 0. The edge of the contact moves with each cycle: what
-was at ambient values is in contact, and solute is handed from layer to layer. {SYMMETRY}"""
+{SECTION}The layers contain no solute at the start. The synovial fluid wets all surfaces that are not in contact. Its
+concentration rises to 1 mM within the first cycle. Its effective pressure falls to -R T c = -0.0024776 MPa at the same
+time, and its fluid pressure is therefore 0. The edge of the contact moves with each cycle. Nodes at ambient values
+come into contact, and solute crosses from layer to layer.
+{SYMMETRY}"""
 RELEASE = f"""\
-Cartilage on cartilage: a section of a joint in which solute crosses from layer to layer under cyclic loading.
+Cartilage on cartilage: solute crosses from layer to layer in a section of a joint under cyclic loading.
 
-{SECTION}The upper layer holds 1 mM of a solute at first, at an
-effective pressure of -R T c = -0.0024776 MPa, so that its fluid pressure is 0; the lower layer and the synovial fluid
-hold none. The solute leaves into the fluid where the surface is open, and crosses the contact into the lower layer
-where it is closed. {SYMMETRY}"""
+{SECTION}The upper layer contains 1 mM of a solute at the start. Its effective pressure is -R T c = -0.0024776 MPa, and
+its fluid pressure is therefore 0. The lower layer and the synovial fluid contain no solute. The solute leaves through
+open surfaces into the fluid, and crosses the contact into the lower layer.
+{SYMMETRY}"""
 
 
 class Source(Enum):
@@ -130,10 +132,15 @@ class Joint:
             conditions,
             Control(self.cycles * self.steps, PERIOD / self.steps, reformations=25, solver=UNCLAMPED.solver),
             contacts(self.interface, mesh, settings),
-            (self._loading(), Curve(((0.0, 0.0), (PERIOD, 1.0)))),
+            self._curves(),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),
         )
+
+    def _curves(self) -> tuple[Curve, ...]:
+        """The load curves that the model refers to."""
+        filling = (Curve(((0.0, 0.0), (PERIOD, 1.0))),) if self.source is Source.FLUID else ()
+        return self._loading(), *filling
 
     def _filled(self) -> tuple[Condition, ...]:
         """What the layers hold at first."""

@@ -34,12 +34,13 @@ FILM = Film(conductance=2e-3, permeance=2e-5, reflection=0.6)
 FACES = Faces((0.06, 0.0), (1.0, 0.2), GAS_CONSTANT * TEMPERATURE)
 
 ABOUT = """\
-Solvent and solute cross a membrane between two layers, in a frozen solid.
+Solvent and solute cross a membrane between two layers with a solid that does not move.
 
-The lower layer (1 mm) and the upper one (0.5 mm) touch at z = 1 mm. The membrane there has the hydraulic conductance
-0.002 mm^3/(N s), and for the solute the permeance 2e-5 mm/s and the reflection coefficient 0.6. The lower face has an
-effective pressure of 0.06 MPa and 1 mM, the upper face no effective pressure and 0.2 mM. After 1.2e6 s the state is
-steady and follows the closed form of three films in series (Kedem and Katchalsky 1958, Spiegler and Kedem 1966)."""
+The lower layer (1 mm) and the upper layer (0.5 mm) touch at z = 1 mm. The membrane there has a hydraulic conductance
+of 0.002 mm^3/(N s). Its permeance for the solute is 2e-5 mm/s, and its reflection coefficient is 0.6. The effective
+pressure and the concentration are 0.06 MPa and 1 mM at the lower face, and 0 and 0.2 mM at the upper face. After
+1.2e6 s the state is steady and follows the closed form of three films in series (Kedem and Katchalsky 1958, Spiegler
+and Kedem 1966)."""
 
 
 def film_params(film: Film, **sol: str) -> tuple[Param, ...]:

@@ -47,9 +47,11 @@ TIMES = tuple(
 )
 """Ends of the steps, s."""
 ABOUT = """\
-An impermeable rigid plate bears 0.0001 MPa at once and slides on a confined biphasic cartilage layer of 1 mm, whose
-base is fixed and drained. Friction is mu_eq = 0.2 of the part of the load that the solid bears. The
-effective friction coefficient grows from phi mu_eq to mu_eq as the layer drains, in about h^2/(H k) = 1000 s."""
+A rigid plate slides on a confined biphasic layer of cartilage. Its friction grows while the fluid leaves the layer.
+
+The layer is 1 mm thick, and its base is fixed and drained. The plate is impermeable. A pressure of 0.0001 MPa presses
+the plate onto the layer from the start. The friction is mu_eq = 0.2 times the part of the load that the solid bears.
+The effective friction coefficient grows from phi mu_eq to mu_eq within about h^2/(H k) = 1000 s."""
 
 
 @dataclass(frozen=True)

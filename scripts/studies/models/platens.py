@@ -37,14 +37,14 @@ POROUS = Mixture(Solid(1000.0), permeability=1.0, porosity=0.4, solutes=(Solute(
 STEEL = Elastic(Solid(1e5, 0.3))
 
 ABOUT = """\
-Confined compression: a permeable platen against an impermeable one.
+Confined compression of cartilage between a permeable and an impermeable platen.
 
-A sample of cartilage 1 mm high stands in a confining chamber on an impermeable platen of steel, below a permeable
-platen of sintered metal (porosity 0.4), each 0.5 mm high. The upper platen is driven down by 0.1 mm in 100 s and held.
-Its upper face has no fluid pressure, and a concentration that rises to 1 mM in the same time, so that the
-effective fluid pressure there is -R T c, down to -0.0024776 MPa. Solvent leaves and solute enters through the
-permeable platen alone. The same contact type joins all: across the upper contact it hands on traction, solvent and
-solute, across the lower one traction alone."""
+A cartilage sample 1 mm high is confined at its sides. It lies on an impermeable platen of steel, below a permeable
+platen of sintered metal (porosity 0.4). Each platen is 0.5 mm high. The upper platen moves down by 0.1 mm within 100 s
+and then stops. The fluid pressure at its upper face is zero, and the concentration there rises to 1 mM within 100 s.
+The effective fluid pressure there is -R T c and falls to -0.0024776 MPa. Solvent leaves and solute enters through the
+permeable platen alone. Both contacts have the same type. The upper contact transmits traction, solvent and solute, and
+the lower contact transmits traction alone."""
 
 
 @dataclass(frozen=True)

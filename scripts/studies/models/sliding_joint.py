@@ -36,12 +36,12 @@ FACET_COLUMNS = ("contact pressure", "contact friction.x", "contact friction.y",
 """Means over facets."""
 CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3)
 ABOUT = """\
-Cartilage is pressed on cartilage and slides: friction in this section of a joint depends on the load of the fluid.
+Cartilage slides on cartilage: friction in this section of a joint depends on the load that the fluid bears.
 
-Two layers of 1 mm lie on rigid bone; the upper one is convex with a radius of 15 mm. The upper bone approaches by
-0.08 mm in 2 s, rests until 60 s, while the fluid leaves the contact at its edges first, and slides by 0.06 mm in 12 s.
-Friction (mu_eq = 0.2, phi = 0.1) acts on the load of the solid: slip begins at the edges and moves inwards, until all
-of the contact slides."""
+Two layers of 1 mm cover rigid bone. The upper layer is convex with a radius of 15 mm. The upper bone approaches by
+0.08 mm within 2 s. It then rests until 60 s, and the fluid leaves the contact, at its edges first. The bone finally
+slides by 0.06 mm within 12 s. The friction (mu_eq = 0.2, phi = 0.1) follows from the load that the solid bears. Slip
+therefore begins at the edges and moves inwards, until the whole contact slides."""
 
 
 @dataclass(frozen=True)

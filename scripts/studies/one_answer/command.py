@@ -25,14 +25,17 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def one_answer(
-    only: Annotated[list[str] | None, typer.Option(help="This scene alone, by its name; may be repeated.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run only the scene of this name. The option may be repeated.")
+    ] = None,
     timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = 600.0,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "one-answer",
-    jobs: Annotated[int, typer.Option(min=1, help="Scenes at a time.")] = sanitized.processors(),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous scenes.")] = sanitized.processors(),
 ) -> None:
     """Solve porous scenes with an edge of contact in all ways: methods, threads, restarts, cutbacks, enforcement.
 
-    Small scenes are solved first. Exit code 0: all end, and those of one enforcement are the same.
+    The command runs small scenes first. The exit code is 0 if all runs complete and all results of one enforcement
+    agree.
     """
     names = chosen(only, SCENES)
     way = Way(Plugin(engine.required_plugin()), timeout)

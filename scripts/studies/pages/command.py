@@ -22,7 +22,7 @@ MISSED = 1
 
 
 def verification_report(
-    only: Annotated[list[str] | None, typer.Option(help="Make this check alone; may be repeated.")] = None,
+    only: Annotated[list[str] | None, typer.Option(help="Make only this check. The option may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write page and numbers to this folder.")] = DOCS,
 ) -> None:
     """Make all checks of `validate` one after the other, and write the verification report and figures 3.2 and 3.3."""

@@ -148,4 +148,4 @@ def _engines(results: Results) -> str:
             names = others.setdefault((trial.febio, trial.commit), [])
             names += [name for name in [Solver(trial.solver).name] if name not in names]
     told = [f"{', '.join(names)} with {febio}, plugin at commit {commit}" for (febio, commit), names in others.items()]
-    return f"Made with {results.stamp}." + (f" Rows made otherwise: {'; '.join(told)}." if told else "")
+    return f"The runs used {results.stamp}." + (f" Some rows used other programs: {'; '.join(told)}." if told else "")

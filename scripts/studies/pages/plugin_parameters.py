@@ -98,7 +98,7 @@ def _title(parameter: Parameter) -> str:
 
 
 def _table(parameters: Sequence[Parameter]) -> str:
-    heads = ("parameter", "unit", "default", "meaning and effect", "cost", "in FEBio's interfaces")
+    heads = ("parameter", "unit", "default", "meaning", "drawback", "in FEBio's interfaces")
     return tables.markdown(heads, (_row(parameter, NOTES[parameter.name]) for parameter in parameters))
 
 

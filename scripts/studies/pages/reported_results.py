@@ -37,7 +37,7 @@ def page(results: Results) -> str:
 
 def all_scenes(results: Results) -> str:
     """The page with a row for each scene."""
-    return ALL_HEAD.format(stamp=results.stamp, table=table(results.rows))
+    return ALL_HEAD.format(stamp=results.stamp, most=MOST, table=table(results.rows))
 
 
 def _short(rows: Sequence[Row]) -> str:
@@ -69,13 +69,13 @@ def details(rows: Sequence[Row]) -> str:
     sound = sum(row.febio.ended for row in rows)
     heads = (
         "model",
-        f"completes, of FEBio's {sound}",
-        "of the others",
-        "at most FEBio's iterations",
-        "most, over FEBio's",
+        f"completes of FEBio's {sound}",
+        "of the other scenes",
+        "iterations at most FEBio's",
+        "largest ratio of iterations",
     )
     lines = [_details(way, rows) for way in WAYS]
-    return tables.markdown((*heads, f"more than {MOST} times", "more retries"), lines)
+    return tables.markdown((*heads, f"ratio above {MOST}", "more retries"), lines)
 
 
 def _details(way: str, rows: Sequence[Row]) -> tuple[str | int, ...]:
@@ -93,4 +93,4 @@ def table(rows: Sequence[Row]) -> str:
         [row.name, row.about, *map(scene_results.cell, (row.febio, *_ours(row))), scene_results.worse(row, WAYS)]
         for row in rows
     )
-    return tables.markdown(["scene", "", "FEBio", *WAYS.values(), "worse in"], cells)
+    return tables.markdown(["scene", "description", "FEBio", *WAYS.values(), "worse in"], cells)

@@ -26,7 +26,16 @@ FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit"
 MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
 COLUMNS = (
-    *("scene", "", "FEBio", "converted", "displacements differ by", "fields", "defaults", "with `predictor` 1"),
+    *(
+        "scene",
+        "description",
+        "FEBio",
+        "converted",
+        "displacements differ by",
+        "fields differ by",
+        "defaults",
+        "with `predictor` 1",
+    ),
     "worse in",
 )
 AT_LIMIT = "ended by the limit"
@@ -218,10 +227,10 @@ def _apart(rows: Sequence[Row]) -> str:
     if not displacements or not fields:
         return ""
     return (
-        f"The answers differ. The largest difference of a displacement is {_percent(median(displacements))} of the "
+        f"The largest difference of a displacement is {_percent(median(displacements))} of the "
         f"largest displacement in the median, and at most {_percent(displacements[-1], 0)}. The largest difference of "
         f"a field is {_percent(min(fields), 0)} to {_percent(max(fields), 0)} of its largest value in {len(fields)} "
-        "porous scenes. [Another page](agreement.md) shows which answer is nearer to a fine mesh's."
+        "porous scenes. [Another page](agreement.md) shows which answer is nearer to that of a fine mesh."
     )
 
 
@@ -232,7 +241,8 @@ def _predictor(rows: Sequence[Row]) -> str:
     without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
     return (
         f"The predictor is available in {len(runs)} scenes. {sum(took.ended for _, took in runs)} of these complete. "
-        f"The {len(both)} that complete with it and without it take {with_it} iterations with it and {without} without."
+        f"The {len(both)} scenes that complete in both ways take {with_it} iterations with the predictor and {without} "
+        "without."
     )
 
 

@@ -166,7 +166,7 @@ def _measures(measures: list[Measure]) -> str:
     for m in measures:
         tolerance = f"<= {m.tolerance:.4g}" if m.lowest == -float("inf") else f"{m.lowest:.4g} to {m.tolerance:.4g}"
         rows.append((m.name, f"{m.value:.4g}", tolerance, "met" if m.passed else "**missed**"))
-    return tables.markdown(("figure", "measured", "tolerance", "outcome"), rows)
+    return tables.markdown(("result", "measured", "tolerance", "outcome"), rows)
 
 
 def _runs(runs: list[Run]) -> str:

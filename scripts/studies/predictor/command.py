@@ -25,17 +25,17 @@ console = Console(highlight=False, soft_wrap=True)
 
 def predictor(
     only: Annotated[
-        list[str] | None, typer.Option(help="Run models whose names contain this; may be repeated.")
+        list[str] | None, typer.Option(help="Run models whose names contain this text. The option may be repeated.")
     ] = None,
-    mesh: Annotated[list[Fineness] | None, typer.Option(help="Hard cases on this mesh alone.")] = None,
+    mesh: Annotated[list[Fineness] | None, typer.Option(help="Run hard cases only on this mesh.")] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "predictor",
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
 ) -> None:
     """Run every model and every hard case without and with the predictor, and write the table.
 
-    A run that is done is kept.
+    The command keeps completed runs.
     """
     runner = Runner(folder / "runs", processor_limit=limit)
     chosen = [known for known in paired_models.known_models(mesh or list(Fineness)) if _wanted(known[0], only)]

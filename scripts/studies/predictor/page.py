@@ -32,7 +32,7 @@ def _missing(measured: set[str]) -> str:
     whole = len(fine) == len(CASES)
     named = [f"`{name}`" for name in lacking if not (whole and name in fine)]
     told = [*named, *(["hard cases on the fine mesh"] if whole else [])]
-    return f"The data lack {' and '.join(told)}." if told else "The data have all others."
+    return f"The data do not include {' and '.join(told)}." if told else "The data have all others."
 
 
 PAGE = EvidencePage("evidence/predictor.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)

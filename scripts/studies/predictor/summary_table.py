@@ -30,6 +30,6 @@ def summary(pairs: Sequence[Pair]) -> str:
     predicted = sum(pair.predicted.iterations for pair in ended)
     harmed = [pair for pair in pairs if pair.harms]
     return (
-        f"{len(ended)} of {len(pairs)} models complete with the predictor and without it. They take {predicted} "
-        f"iterations with it and {without} without. The predictor does harm in {len(harmed) or 'none'} of them."
+        f"{len(ended)} of {len(pairs)} models complete with and without the predictor. They take {predicted} "
+        f"iterations with the predictor and {without} without. It harms {len(harmed) or 'none'} of the models."
     )

@@ -39,15 +39,16 @@ class Part(str, Enum):
 
 
 def price(
-    logs: Annotated[list[Path] | None, typer.Argument(help="Logs of runs: draw their times, and run nothing.")] = None,
-    only: Annotated[list[Part] | None, typer.Option(help="Measure this alone; may be repeated.")] = None,
-    repetitions: Annotated[int, typer.Option(min=1, help="How often runs that are compared are repeated.")] = 3,
+    logs: Annotated[list[Path] | None, typer.Argument(help="Draw the times of these logs, without new runs.")] = None,
+    only: Annotated[list[Part] | None, typer.Option(help="Measure only this part. The option may be repeated.")] = None,
+    repetitions: Annotated[int, typer.Option(min=1, help="Number of repetitions of each comparison.")] = 3,
     folder: Annotated[Path, typer.Option(help="Write tables and pictures to this folder.")] = RESULTS / "price",
-    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
 ) -> None:
-    """Measure the timings of the contact, or draw the times that it wrote into the logs of runs.
+    """Measure the times of the contact, or draw the times in logs of earlier runs.
 
-    Runs that are compared alternate, and the medians of their ratios count. Nothing else should run meanwhile.
+    The command alternates the runs that it compares, and takes the medians of their ratios. Nothing else should run at
+    the same time.
     """
     folder.mkdir(parents=True, exist_ok=True)
     if logs:

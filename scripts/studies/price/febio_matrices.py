@@ -98,7 +98,13 @@ def matrices_table(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
     """A row for each scene, as Markdown."""
     ours = {joint.ours.scene: joint.ours for joint in measured}
     rows = {(row.scene, row.form): row for row in found}
-    heads = ("scene", "iterations", "with symmetric matrix", "its time over the other's", "our time over its")
+    heads = (
+        "scene",
+        "iterations",
+        "symmetric: iterations",
+        "time, symmetric over non-symmetric",
+        "`sliding-mixture` over symmetric",
+    )
     lines = []
     for scene in dict.fromkeys(row.scene for row in found):
         plain, default = (rows[scene, form] for form in FORMATS)

@@ -196,7 +196,7 @@ def _both(joints: Sequence[Joint]) -> list[tuple[JointPrice, JointPrice]]:
 
 def joints_table(joints: Sequence[Joint]) -> str:
     """The contacts of each scene in one row, as Markdown: ours, then FEBio's."""
-    heads = ("scene", "iterations", "retries", "matrices", "time over FEBio's", "contact, part of the run")
+    heads = ("scene", "iterations", "retries", "matrices", "time over FEBio's", "part of the contact in the time")
     more = ("points on a primary facet", "matrix entries over FEBio's", "less time")
     return tables.markdown((*heads, *more), map(_row, joints))
 

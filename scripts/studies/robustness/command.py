@@ -24,17 +24,23 @@ QUICK_STEPS, STEPS = 7, 12
 
 
 def robustness(
-    files: Annotated[list[Path] | None, typer.Argument(help="Further .feb files.")] = None,
-    only: Annotated[list[str] | None, typer.Option(help="This model alone, by its name; may be repeated.")] = None,
-    quick: Annotated[bool, typer.Option("--quick", help="A few models and steps: less than three minutes.")] = False,
-    steps: Annotated[int | None, typer.Option(min=0, help="Time steps of each run; 0: all that the model has.")] = None,
+    files: Annotated[list[Path] | None, typer.Argument(help="Additional .feb files.")] = None,
+    only: Annotated[
+        list[str] | None, typer.Option(help="Run only the model of this name. The option may be repeated.")
+    ] = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Run a few models and steps in less than three minutes.")
+    ] = False,
+    steps: Annotated[
+        int | None, typer.Option(min=0, help="Number of time steps of each run; 0: all steps of the model.")
+    ] = None,
     timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = 600.0,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "robustness",
-    jobs: Annotated[int, typer.Option(min=1, help="Models at a time.")] = sanitized.processors(),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous models.")] = sanitized.processors(),
 ) -> None:
-    """Run models with a sanitized plugin: as they are, with two threads, restarted, cut back, by other solvers.
+    """Run models with a sanitized plugin: unchanged, with two threads, restarts, repeated steps, and other solvers.
 
-    Exit code 0: no crash, no report of a sanitizer, no leak that grows, and no difference beyond rounding.
+    The exit code is 0 without a crash, a report of a sanitizer, a growing leak, or a difference beyond rounding.
     """
     known = [solvers.elastic(), *(feb.read(path) for path in [*sorted(MODELS.glob("*.feb")), *(files or [])])]
     names = chosen(only or (QUICK_MODELS if quick else None), [model.name for model in known])

@@ -273,15 +273,15 @@ def _loads() -> dict[str, Scene]:
         "augmented": replace(basic, about="augmented Lagrangian", params=_penalty(5.0, *AUGMENTED)),
         "two-pass-augmented": replace(basic, about="two passes, augmented", params=_penalty(5.0, TWO_PASS, *AUGMENTED)),
         "explicit-penalty": replace(
-            basic, about="a penalty in numbers", params=_penalty(20.0, Param("auto_penalty", False))
+            basic, about="numerical penalty", params=_penalty(20.0, Param("auto_penalty", False))
         ),
-        "tension": replace(basic, about="surfaces that pull", params=_penalty(10.0, Param("tension", True))),
-        "pressure-load": replace(basic, about="pressed by a pressure", force=0.05),
+        "tension": replace(basic, about="surfaces that bear tension", params=_penalty(10.0, Param("tension", True))),
+        "pressure-load": replace(basic, about="a pressure presses the block", force=0.05),
         "rigid-block": replace(basic, about="a rigid block is moved", block=Rigid()),
         "rigid-block-slides": replace(basic, about="a rigid block slides", block=Rigid(), slides=True),
         "rigid-slab": replace(basic, about="a rigid slab", slab=Rigid(), primary=LOWER),
         "rigid-free": replace(basic, about="a free rigid block, pressed by a force", block=Rigid(), force=0.1),
-        "stiff-on-soft": replace(basic, about="stiff on soft, 1000 to 1", block=elastic(1000.0)),
+        "stiff-on-soft": replace(basic, about="a block 1000 times as stiff as the slab", block=elastic(1000.0)),
         "dynamic": replace(basic, about="dynamic analysis", dynamic=True),
         "fixed-steps": replace(basic, about="steps of fixed length", stepper=False),
     }
@@ -321,7 +321,7 @@ def _mixtures() -> dict[str, Scene]:
         "biphasic-under-rigid": replace(wet, about="a rigid block on a biphasic slab", block=Rigid(), primary="slab"),
         "biphasic-creep": replace(wet, about="a free rigid block on a biphasic slab", block=Rigid(), force=0.05),
         "biphasic-impermeable": replace(
-            wet, about="porous bodies behind sliding-elastic", contact="sliding-elastic", params=_penalty(10.0)
+            wet, about="porous bodies with sliding-elastic", contact="sliding-elastic", params=_penalty(10.0)
         ),
         "solute": replace(solute, about="a solute crosses"),
         "solute-sliding": replace(solute, about="a solute crosses while sliding", slides=True),

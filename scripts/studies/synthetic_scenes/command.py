@@ -23,24 +23,24 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def synthetic_scenes(
-    collection: Annotated[Collection, typer.Option(help="Which scenes.")] = Collection.BLOCKS,
+    collection: Annotated[Collection, typer.Option(help="Collection of scenes.")] = Collection.BLOCKS,
     only: Annotated[
-        list[str] | None, typer.Option(help="Run scenes whose names contain this; may be repeated.")
+        list[str] | None, typer.Option(help="Run scenes whose names contain this text. The option may be repeated.")
     ] = None,
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "synthetic-scenes",
-    jobs: Annotated[int, typer.Option(min=1, help="Runs at a time.")] = min(2, os.cpu_count() or 1),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = min(2, os.cpu_count() or 1),
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
     plugin: Annotated[
         Path | None, typer.Option(help=f"Load this plugin, not ${PLUGIN_VARIABLE} or that of the build.")
     ] = None,
-    docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
+    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
 ) -> None:
     """Run each scene with FEBio's interface, converted, and with the penalties deleted.
 
-    The scenes `blocks` are run with the predictor as well. Runs that are in the folder already, of the same model with
-    the same programs and limit, are kept, so that a study that was interrupted goes on.
+    The command also runs the scenes `blocks` with the predictor. It keeps runs of the same model, programs and limit
+    that are already in the folder, and therefore continues after an interruption.
 
-    Exit code 0: sliding-mixture completes in all ways each scene that FEBio's interface completes.
+    The exit code is 0 if sliding-mixture completes all runs of the scenes that FEBio's interface completes.
     """
     study = STUDIES[collection]
     chosen = [name for name in study.scenes if not only or any(part in name for part in only)]

@@ -181,7 +181,8 @@ BOOST_AUTO_TEST_CASE(a_prediction_that_inverts_an_element_is_dropped_and_the_sta
   BOOST_TEST(ramp.solver.values() == values);
   BOOST_TEST(ramp.solver.change == change);
   BOOST_TEST(ramp.solver.increment[0] == 0.25);
-  BOOST_TEST(ramp.solver.lines.back().find("predictor: the predicted state is dropped, an element") == 0);
+  BOOST_TEST(
+      ramp.solver.lines.back().find("predictor: the predicted state is rejected, because it inverts an element") == 0);
   const std::vector<double> load = ramp.solver.load;
   ramp.predictor.complete_residual();
   BOOST_TEST(ramp.solver.load == load);
@@ -203,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_prediction_with_a_larger_residual_than_the_plain_start_is
   };
   BOOST_TEST(!ramp.predict());
   BOOST_TEST(ramp.solver.values() == values);
-  BOOST_TEST(ramp.solver.lines.back().find("predictor: the predicted state is dropped, its residual") == 0);
+  BOOST_TEST(ramp.solver.lines.back().find("predictor: the predicted state is rejected, because its residual") == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_residual_that_is_no_number_is_larger) {

@@ -60,9 +60,10 @@ FEBIO_FACTOR = 10.0
 """Of FEBio's automatic penalty: 1 leaves bodies overlapping, and 1000, with which other models here are run, inverts
 elements in the first step."""
 ABOUT = """\
-A knee: two condyles on a tibial plateau, with menisci between them. Elastic cartilage on rigid bone; elastic menisci
-with fibres along their arcs, whose horns springs hold to the tibia. {load}
-Shapes, materials and loads are published or simplified from published ones: scripts/harness/models/knee."""
+A knee: two condyles press on a tibial plateau, with menisci between them. Elastic cartilage covers rigid bone. The
+elastic menisci contain fibres along their arcs, and springs connect their horns to the tibia. {load}
+Shapes, materials and loads are published, or simplified from published ones. The sources are in
+scripts/harness/models/knee."""
 ABOUT_LOADS = {
     Load.STANCE: "A force of 700 N presses the femur down.",
     Load.GAIT: "Force and flexion go through one cycle of gait in 1 s.",

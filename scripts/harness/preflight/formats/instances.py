@@ -108,7 +108,7 @@ def _part_from(model: Path, tag: Element) -> Element:
     parts = xml_file.parse(source).iterfind("Geometry/Part")
     found = next((part for part in parts if part.get("name") == tag.get("name")), None)
     if found is None:
-        raise ModelError(f"{place(tag)}: is to be read from {source}, which has no such <Part> in <Geometry>")
+        raise ModelError(f"{place(tag)}: refers to {source}, which has no such <Part> in <Geometry>")
     return found
 
 

@@ -106,9 +106,9 @@ def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> 
     yield warning(
         "ambient-pressure",
         tag,
-        f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: that is an ambient fluid "
-        f"pressure of {short(fluid)}, and every node that meets it swells or shrinks at once",
-        f"For no fluid pressure set it to {expected:.5g}, that is -R T Phi c"
+        f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: this is an ambient fluid "
+        f"pressure of {short(fluid)}, and the body swells or shrinks at once at every node with this pressure",
+        f"For an ambient fluid without pressure, set it to {expected:.5g}, which is -R T Phi c"
         + (", with the load curve of the concentration." if _has_curve(tag) or len(own) > 1 else "."),
     )
 
@@ -127,8 +127,8 @@ def overwritten(joint: Joint) -> Iterator[Finding]:
                 "prescribed-nodes",
                 prescribed.tag,
                 f"this condition holds the {prescribed.field} of {prescribed.nodes} nodes of the contact, but "
-                f"{joint.contact.kind.name} writes the ambient value over it where they do not touch",
-                "Leave these nodes out of the condition, or use sliding-mixture, which keeps it.",
+                f"{joint.contact.kind.name} replaces the condition by the ambient value at open nodes",
+                "Remove these nodes from the condition, or use sliding-mixture, which keeps the condition.",
             )
 
 

@@ -31,7 +31,7 @@ def search_radius(joint: Joint) -> Iterator[Finding]:
             "search-radius",
             tag,
             f"the surfaces overlap by {short(-nearest)} at the start, more than <search_radius> {short(radius)} "
-            f"({where}): no overlap is seen and the bodies pass through each other",
+            f"({where}): the contact does not find the overlap, and the bodies pass through each other",
             f"Move the bodies apart, or set <search_radius> to {short(-1.5 * nearest)}.",
         )
     else:
@@ -39,7 +39,7 @@ def search_radius(joint: Joint) -> Iterator[Finding]:
             "search-radius",
             tag,
             f"the surfaces are {short(nearest)} apart at the start, more than <search_radius> {short(radius)} "
-            f"({where}): a step that moves a body farther than that goes through the other unseen",
+            f"({where}): a body that moves farther in one step passes through the other",
             f"Start with the bodies just touching, or set <search_radius> to {short(1.5 * nearest)}.",
         )
 
@@ -53,7 +53,7 @@ def initial_overlap(joint: Joint) -> Iterator[Finding]:
         "initial-overlap",
         joint.contact.tag,
         f"the surfaces overlap by {short(overlap)} at the start, {short(overlap / joint.thickness)} of the thickness "
-        "of the elements there. The first step pushes them apart at once, which may turn elements inside out",
+        "of the elements there. The first step separates them at once, which may invert elements",
         "Move one body, or set <node_reloc> to 1, which moves the nodes of the primary surface onto the other.",
     )
 
@@ -68,7 +68,7 @@ def finer_primary(joint: Joint) -> Iterator[Finding]:
             "finer-primary",
             joint.contact.pair.tag,
             f"facets of the primary surface are {short(one / two)} times as wide as those of the secondary one: "
-            "contact is resolved to one facet of the primary surface",
+            "the contact resolves its edge to one facet of the primary surface",
             "Exchange <primary> and <secondary>.",
         )
 

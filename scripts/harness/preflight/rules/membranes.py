@@ -28,7 +28,7 @@ def half_a_membrane(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "membrane",
                 by_solute(joint, one)[number],
-                f"<{one}> is given for solute {number}, and <{other}> is not; a membrane needs both",
+                f"<{one}> is given for solute {number}, and <{other}> is not; a membrane needs both parameters",
                 f'Give <{other} sol="{number}">, too.',
             )
 
@@ -42,8 +42,8 @@ def carried_by_nothing(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "membrane",
                 tag,
-                f"<{REFLECTION}> of solute {number} is below 1, and <{CONDUCTANCE}> is not given: the solvent that "
-                "carries the solute crosses the membrane, too",
+                f"<{REFLECTION}> of solute {number} is below 1, and <{CONDUCTANCE}> is not given: solvent that "
+                "carries the solute crosses the membrane too",
                 f"Give <{CONDUCTANCE}>, or a reflection of 1.",
             )
 

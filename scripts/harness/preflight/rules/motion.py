@@ -42,8 +42,8 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
             yield warning(
                 "rigid-motion",
                 side.surface.tag,
-                f"nothing holds the body of surface '{side.surface.name}' against motion {_and(touching)}; the contact "
-                "does not hold it either: the matrix is singular, and any load sends the body off",
+                f"nothing holds the body of surface '{side.surface.name}' against motion {_and(touching)}, and the "
+                "contact does not either: the matrix is singular, and any load moves the body away",
                 "Add a boundary condition that holds it, or a weak spring.",
             )
         elif apart:
@@ -51,9 +51,9 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
                 "rigid-motion",
                 side.surface.tag,
                 f"nothing holds the body of surface '{side.surface.name}' against motion {_and(free)} before it "
-                f"touches: {_distance(joint.smallest_gap)} at the start, and the first load sends it off",
-                "Start with the bodies overlapping a little, as much as the load will press them together, or drive "
-                "the body by a prescribed displacement until it touches.",
+                f"touches: {_distance(joint.smallest_gap)} at the start, and the first load moves the body away",
+                "Start with a small overlap, about the compression under the load, or move the body by a prescribed "
+                "displacement until it touches.",
             )
 
 
@@ -80,7 +80,7 @@ def free_motions(rows: Array) -> list[str]:
 def _distance(gap: float) -> str:
     if not np.isfinite(gap):
         return "the surfaces are not in front of each other"
-    return f"the surfaces are {short(gap)} apart" if gap > 0.0 else "the surfaces only just meet, without overlap,"
+    return f"the surfaces are {short(gap)} apart" if gap > 0.0 else "the surfaces just touch, without overlap,"
 
 
 def _and(words: list[str]) -> str:

@@ -38,13 +38,13 @@ def after_augmentation(joint: Joint, jump: float) -> float:
 
 
 def _leak_in_words(joint: Joint, field: Field, own: Penalty, left: float) -> str:
-    how = "as given" if own.given else "not given, so FEBio takes 1"
+    how = "as given" if own.given else "not given, and FEBio uses 1"
     if own.factor and own.local > 0.0:
         how = f"{short(own.value / own.local)} times the local {_local(field)}"
     augmented = " even after all augmentations" if joint.contact.augmented else ""
     begin = f"<{field.penalty}> is {short(own.value)} ({how}): at this penalty"
     if field == TRACTION:
-        return f"{begin} the bodies will overlap by about {percent(left)} of what they are pressed together{augmented}"
+        return f"{begin} the bodies will overlap by about {percent(left)} of their compression{augmented}"
     return (
         f"{begin} the {field.name} will jump by about {percent(left)} of the difference across the two "
         f"bodies{augmented}: the contact acts as a membrane"
@@ -60,7 +60,7 @@ def _stiffer(joint: Joint, field: Field, own: Penalty) -> str:
     relative = own.factor and own.local > 0.0
     value = f"{short(enough / own.local)}, times the local {_local(field)}" if relative else short(enough)
     if joint.contact.kind.is_mixture:
-        return f"Delete <{field.penalty}>: it is then chosen automatically. Or set at least {value}."
+        return f"Delete <{field.penalty}> for an automatic value, or set at least {value}."
     return f"Set <{field.penalty}> to {value}; this leaves {percent(GOOD_LEAK)}."
 
 
@@ -75,7 +75,7 @@ def too_stiff(joint: Joint) -> Iterator[Finding]:
                 own.tag,
                 f"<{field.penalty}> {short(own.value)} is {short(own.value / own.local)} times the local "
                 f"{_local(field)}: points at the edge of contact open and close "
-                "in turn, and Newton's method may not end",
+                "in turn, and Newton's method may not converge",
                 f"Set it to {short(1e3 if own.factor else 1e3 * own.local)}"
                 + (f", or delete <{field.penalty}>." if joint.contact.kind.is_mixture else "."),
             )
@@ -93,14 +93,14 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
             contact.tag,
             "both surfaces are rigid: the penalty follows from the largest modulus in the model, that is "
             "<E>/(1 - <v>^2) of rigid materials",
-            "None needed if that is about right; else set <penalty> to a value, force per volume.",
+            "None if this modulus is about right. Otherwise set <penalty> to a value (force per volume).",
         )
     elif not contact.kind.is_mixture and joint.primary.rigid and _no_modulus(joint):
         yield error(
             "rigid-penalty",
             contact.tag,
             "the primary surface is rigid and its material has no <E>: FEBio's automatic penalty is 0 and nothing "
-            "holds the bodies apart",
+            "keeps the bodies apart",
             "Exchange <primary> and <secondary>, or give the rigid material an <E> like that of the other body.",
         )
 
@@ -120,7 +120,7 @@ def unknown_properties(joint: Joint) -> Iterator[Finding]:
                     material.tag,
                     f"material '{material.name}' ({material.kind}): its stiffness or transport is not a plain number, "
                     f"so penalties were not checked for {', '.join(names)}",
-                    "None needed; an automatic penalty reads the properties when the run begins.",
+                    "None: an automatic penalty reads the properties when the run begins.",
                 )
 
 

@@ -13,8 +13,8 @@ from harness.preflight.plugin_types import PLUGIN_TYPES
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chosen, place, text
 
-NOT_NEGATIVE = "a number that is not negative"
-COUNT, SWITCH, NUMBER = "a whole number that is not negative", "0 or 1", "a number"
+NOT_NEGATIVE = "zero or a positive number"
+COUNT, SWITCH, NUMBER = "zero or a positive whole number", "0 or 1", "a number"
 FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
 _OF_MIXTURE = PLUGIN_TYPES[MIXTURE]
 CHOICES = {parameter.name: parameter.choices for parameter in _OF_MIXTURE if parameter.choices}
@@ -77,7 +77,7 @@ def unknown_parameter(joint: Joint) -> Iterator[Finding]:
             "unknown-parameter",
             tag,
             f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops",
-            f"Write <{near[0]}>, if that is meant." if near else "Delete it; the user guide lists the parameters.",
+            f"Write <{near[0]}>, if that is meant." if near else "Delete it. The documentation lists the parameters.",
         )
 
 
@@ -88,7 +88,7 @@ def empty_contact(joint: Joint) -> Iterator[Finding]:
         yield error(
             "empty-contact",
             tag,
-            "it is written with two tags and has no parameter between them, which FEBio cannot read",
+            "FEBio cannot read a contact that is written with two tags and has no parameter between them",
             "Write one tag that ends with />, or give a parameter.",
         )
 
@@ -128,7 +128,7 @@ def _fits(tag: Element, name: str, allowed: str) -> bool:
 
 
 def _in_bounds(value: float, allowed: str) -> bool:
-    """Whether a number that is not negative keeps a further bound, if there is one."""
+    """Whether zero or a positive number keeps a further bound, if there is one."""
     return value <= 1.0 if allowed == FRACTION else value > 0.0 if allowed == POSITIVE else True
 
 
@@ -150,7 +150,7 @@ def left_out(joint: Joint) -> Iterator[Finding]:
                 "left-out",
                 tag,
                 f"<{name}> is 0, which leaves {what} out",
-                f"Delete <{name}> to have it chosen automatically.",
+                f"Delete <{name}> for an automatic value.",
             )
 
 
@@ -176,13 +176,13 @@ def _without_effect(joint: Joint, tag: Element, curve: str) -> tuple[str, str] |
     if kind.name == "sliding-multiphasic" and tag.tag == "ambient_concentration":
         return (
             "sliding-multiphasic takes no load curve on <ambient_concentration>; FEBio stops",
-            "Give a value without a load curve, or use sliding-mixture, which follows it.",
+            "Give a value without a load curve, or use sliding-mixture, which accepts the load curve.",
         )
     if kind.is_mixture and tag.tag not in FOLLOWED:
         return (
-            f"<{tag.tag}> has a load curve, and cannot change in a run of {kind.name}",
-            "Give a value without a load curve; penalties, tolerances, the offset, friction and ambient values may "
-            "change in time.",
+            f"<{tag.tag}> has a load curve, but cannot change in a run of {kind.name}",
+            "Give a value without a load curve. Load curves may change penalties, tolerances, the offset, friction and "
+            "ambient values.",
         )
     return None
 
@@ -195,14 +195,14 @@ def module(joint: Joint) -> Iterator[Finding]:
         yield warning(
             "module",
             tag,
-            f"'{own}' is no module of FEBio 4.11; without a plugin that brings it FEBio stops",
+            f"'{own}' is not a module of FEBio 4.11: FEBio stops without a plugin that provides it",
             f"Use one of {', '.join(kind.modules)}.",
         )
     elif "solid" not in MODULES[own]:
         yield error(
             "module",
             tag,
-            f"module '{own}' has no displacements, so there is nothing that contact could move",
+            f"module '{own}' has no displacements, and contact has no effect",
             f"Use one of {', '.join(kind.modules)}.",
         )
     elif own not in kind.modules:
@@ -210,7 +210,8 @@ def module(joint: Joint) -> Iterator[Finding]:
             "module",
             joint.contact.tag,
             f"{kind.name} does not exist in FEBio's module '{own}', only in {', '.join(kind.modules)}",
-            "Use another <Module type=...>, or another contact type: sliding-mixture works wherever solids do.",
+            "Use another <Module type=...>, or another contact type: sliding-mixture works in all modules "
+            "with displacements.",
         )
 
 
@@ -236,14 +237,14 @@ def not_exchanged(joint: Joint) -> Iterator[Finding]:
             "impermeable",
             joint.contact.tag,
             f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are impermeable",
-            "If they are to exchange it, use sliding-mixture.",
+            "Use sliding-mixture if the bodies shall exchange it.",
         )
     elif kind.solvent and not kind.solutes and joint.primary.solutes & joint.secondary.solutes:
         yield note(
             "impermeable",
             joint.contact.tag,
             f"both bodies hold solutes, and {kind.name} exchanges fluid alone: the surfaces are impermeable to solutes",
-            "If they are to exchange them, use sliding-mixture.",
+            "Use sliding-mixture if the bodies shall exchange them.",
         )
 
 
@@ -264,7 +265,7 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "ambient-solute",
                 tag,
-                f"<{tag.tag}> does not say which solute it is for; there is {there}",
+                f"<{tag.tag}> does not name its solute; there is {there}",
                 f'Write one <{tag.tag} sol="..."> for each solute.',
             )
 
@@ -316,7 +317,7 @@ def no_duration(joint: Joint) -> Iterator[Finding]:
             yield error(
                 "time-step",
                 found,
-                f"<step_size> is '{text(found)[:40]}': without a positive number the analysis step has no duration",
+                f"<step_size> is '{text(found)[:40]}': the analysis step has no duration without a positive number",
                 "Give a positive number.",
             )
 
@@ -328,9 +329,9 @@ def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
         yield warning(
             "symmetric-tangent",
             tag,
-            "the tangent of this contact is not symmetric; with its symmetric part Newton's method takes many more "
-            "iterations, and may not converge where slopes or penalties are large",
-            "Delete <symmetric_stiffness>; the solver's matrix is then set to non-symmetric.",
+            "the tangent of this contact is not symmetric. Newton's method takes many more iterations with its "
+            "symmetric part, and may not converge on steep surfaces or with large penalties",
+            "Delete <symmetric_stiffness>. The contact then makes the solver's matrix non-symmetric.",
         )
 
 
@@ -345,8 +346,8 @@ def symmetric_friction(joint: Joint) -> Iterator[Finding]:
         yield warning(
             "symmetric-friction",
             rubbing if tag is None else tag,
-            "friction makes the tangent non-symmetric; with the symmetric part of it, which is this type's default, "
-            "Newton's method takes many more iterations or fails",
+            "friction makes the tangent non-symmetric. Newton's method takes many more iterations with the symmetric "
+            "part, the default of this type, or fails",
             "Write <symmetric_stiffness>0</symmetric_stiffness> in the contact, and 'non-symmetric' in the solver.",
         )
 
@@ -373,7 +374,7 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
         for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
             kind = str(tag.get("type"))
             if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
-                why = "solves symmetric matrices only, and that of this contact is not"
+                why = "solves symmetric matrices only, and the matrix of this contact is not symmetric"
             elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
                 why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
             else:
@@ -392,7 +393,7 @@ def reformations(joint: Joint) -> Iterator[Finding]:
                 yield note(
                     "max-refs",
                     found,
-                    f"<max_refs> is {text(found)}: few where the edge of contact moves",
+                    f"<max_refs> is {text(found)}: a moving edge of contact may need more",
                     "Set it to 25.",
                 )
 

@@ -28,7 +28,7 @@ def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
                 "facet-of-no-element",
                 side.surface.facet_tags[lost[0]],
                 f"surface '{side.surface.name}' has {_facets(len(lost))} on the face of no solid element",
-                "Select the surface again on the mesh that the model has; a changed mesh renumbers its nodes.",
+                "Select the surface again on the present mesh: a changed mesh has other node numbers.",
             )
 
 
@@ -41,8 +41,8 @@ def shell_facets(joint: Joint) -> Iterator[Finding]:
                 "shell-facets",
                 side.surface.tag,
                 f"surface '{side.surface.name}' lies on shell elements: distances and penalties were not checked",
-                "None needed. Facets are those of the nodes; "
-                f"<shell_bottom_{name}> takes the back faces, a thickness away.",
+                "None. Facets lie on the nodes; "
+                f"<shell_bottom_{name}> moves them to the back faces, one thickness away.",
             )
         elif bottom is not None and joint.contact.on(f"shell_bottom_{name}") and side.found.all():
             yield error(
@@ -62,7 +62,7 @@ def empty_surface(joint: Joint) -> Iterator[Finding]:
                 "empty-surface",
                 side.surface.tag,
                 f"surface '{side.surface.name}' has no facets; FEBio stops",
-                "Select the faces that are to come into contact.",
+                "Select the faces that come into contact.",
             )
 
 
@@ -91,11 +91,12 @@ def inverted_facets(joint: Joint) -> Iterator[Finding]:
             continue
         cure = "List the nodes of these facets counter-clockwise as seen from outside the body"
         if flipped:
-            cure = f"Delete <flip_{name}>: the facets face out of the body without it"
+            cure = f"Delete <flip_{name}>: the facets face outward without it"
         yield error(
             "inverted-facets",
             side.surface.facet_tags[wrong[0]],
-            f"surface '{side.surface.name}' has {_facets(len(wrong))} facing into the body: no contact is found there",
+            f"surface '{side.surface.name}' has {_facets(len(wrong))} facing into the body: the contact finds "
+            "nothing there",
             f"{cure}.",
         )
 
@@ -109,7 +110,7 @@ def inner_facets(joint: Joint) -> Iterator[Finding]:
                 "inner-facets",
                 side.surface.facet_tags[inside[0]],
                 f"surface '{side.surface.name}' has {_facets(len(inside))} inside a body, with elements on both sides",
-                "Take the outer faces alone; where two parts are to slide, they must not share nodes.",
+                "Select the outer faces alone. Parts that slide must not share nodes.",
             )
 
 
@@ -125,7 +126,7 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
             "self-contact",
             pair.tag,
             f"{shared}, which may be in contact with each other: distances were not checked",
-            "None needed if the body folds onto itself.",
+            "None if the body folds onto itself.",
         )
         return
     if common:
@@ -141,9 +142,9 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
         yield warning(
             "shared-nodes",
             pair.tag,
-            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' share {len(nodes)} nodes: there the bodies "
-            "are one and cannot open or slide",
-            "Give each body nodes of its own at the contact, or leave the shared part out of one surface.",
+            f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' share {len(nodes)} nodes: the bodies "
+            "cannot separate or slide there",
+            "Give each body its own nodes at the contact, or remove the shared part from one surface.",
         )
 
 
@@ -156,8 +157,8 @@ def own_body(joint: Joint) -> Iterator[Finding]:
             "own-body",
             pair.tag,
             f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' belong to one body: elements connect them",
-            "If two bodies were meant, one surface was selected on the wrong one, or their meshes are merged. "
-            "A body that folds onto itself can stay so.",
+            "If you model two bodies, one surface is on the wrong body, or their meshes are merged. "
+            "A body that folds onto itself needs no change.",
         )
 
 
@@ -175,8 +176,8 @@ def facing(joint: Joint) -> Iterator[Finding]:
         yield note(
             "facing",
             pair.tag,
-            f"{surfaces} are not in front of each other at the start: no contact until a body has moved sideways",
-            "None needed if a body moves so.",
+            f"{surfaces} are not opposite each other at the start: contact needs a sideways movement",
+            "None if a body moves in this way.",
         )
         return
     one, two = (side.areas.sum(axis=0) for side in joint.sides)
@@ -185,8 +186,8 @@ def facing(joint: Joint) -> Iterator[Finding]:
     yield error(
         "facing",
         pair.tag,
-        f"{surfaces} {where}: no facet of one has a normal against that of one of the other, so there is no contact",
-        "One was probably selected on the wrong side of its body. Take the faces that look at each other.",
+        f"{surfaces} {where}: no facet of one surface faces a facet of the other, and there is no contact",
+        "One surface is probably on the wrong side of its body. Select the faces that face each other.",
     )
 
 
@@ -206,8 +207,8 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
                 "side-faces",
                 side.surface.facet_tags[facets[0]],
                 f"surface '{side.surface.name}' has {_facets(len(facets))} beyond a sharp edge or on another side, "
-                "facing away from the other body. It sees nothing there: a porous body has the ambient values",
-                "Leave side and far faces out of the surface, unless they are meant to have the ambient values.",
+                "which face away from the other body. A porous body has the ambient values there",
+                "Remove side and far faces from the surface, unless they shall have the ambient values.",
             )
 
 

@@ -33,7 +33,7 @@ def joined_facets(joint: Joint) -> Iterator[Finding]:
             "shared-facets",
             joint.contact.pair.tag,
             f"surfaces '{joint.contact.pair.primary.name}' and '{joint.contact.pair.secondary.name}' have "
-            f"{len(one & two)} facets in common, which are joined already",
+            f"{len(one & two)} facets in common, which are already joined",
             "Name the surface of the other body.",
         )
 
@@ -49,7 +49,8 @@ def turned_away(joint: Joint) -> Iterator[Finding]:
             "untied",
             joint.contact.pair.tag,
             f"no facet of surface '{joint.contact.pair.primary.name}' has surface "
-            f"'{joint.contact.pair.secondary.name}' in front of it: surfaces on shells look away, and nothing is tied",
+            f"'{joint.contact.pair.secondary.name}' opposite it: the surfaces on shells face away from each other, "
+            "and nothing is tied",
             f"Set {flips}.",
         )
 
@@ -67,7 +68,7 @@ def untied(joint: Joint) -> Iterator[Finding]:
             pair.tag,
             f"no facet of surface '{pair.primary.name}' has surface '{pair.secondary.name}' in front of it or behind "
             "it: nothing is tied",
-            "Take the faces that look at each other.",
+            "Select the faces that face each other.",
         )
         return
     far = seen & (np.abs(gaps) > limits)
@@ -80,8 +81,8 @@ def untied(joint: Joint) -> Iterator[Finding]:
     yield made(
         "untied",
         joint.contact.tag if given is None else given,
-        f"{seen_from_afar} that see the other surface are too far from it to be tied: up to {short(most)}",
-        f"Set <search_radius> to {short(1.1 * most)} if they are to be tied, or leave them out of the surface.",
+        f"{seen_from_afar} opposite the other surface are too far from it to be tied: up to {short(most)}",
+        f"Set <search_radius> to {short(1.1 * most)} to tie them, or remove them from the surface.",
     )
 
 
@@ -110,9 +111,9 @@ def held_nodes(joint: Joint) -> Iterator[Finding]:
         yield note(
             "held-nodes",
             contact.pair.tag,
-            f"{len(held)} of {len(own)} nodes of the primary surface have a prescribed displacement, which the tie "
-            "holds, too: values that contradict each other have no solution",
-            "None needed if the other surface has the same values. Else exchange <primary> and <secondary>.",
+            f"{len(held)} of {len(own)} nodes of the primary surface have a prescribed displacement and a "
+            "condition of the tie: contradictory values have no solution",
+            "None if the other surface has the same values. Otherwise exchange <primary> and <secondary>.",
         )
     others = [other for other in model.ties if other.tag is not contact.tag]
     shared = [np.intersect1d(own, other.pair.primary.corners) for other in others]
@@ -121,8 +122,8 @@ def held_nodes(joint: Joint) -> Iterator[Finding]:
         yield warning(
             "held-twice",
             contact.pair.tag,
-            f"{count} nodes of the primary surface are those of another tie, too: each holds them, and multipliers "
-            "share the load in no certain way",
+            f"{count} nodes of the primary surface belong to another tie too. Both ties hold them, and the shares of "
+            "their multipliers in the load are arbitrary",
             "Make one surface of both, or use PENALTY or AUGLAG.",
         )
 
@@ -136,8 +137,8 @@ def rigid_primary(joint: Joint) -> Iterator[Finding]:
         yield warning(
             "rigid-primary",
             joint.contact.pair.tag,
-            f"the primary surface is rigid and has {nodes[0]} nodes for {nodes[1]} of the other one: there are more "
-            "conditions than nodes that can meet them",
+            f"the primary surface is rigid and has {nodes[0]} nodes for {nodes[1]} of the secondary one: it has more "
+            "conditions than the secondary nodes can meet",
             "Exchange <primary> and <secondary>.",
         )
 
@@ -158,7 +159,7 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
                     "linear-solver",
                     tag,
                     f"the linear solver '{tag.get('type')}' may find no solution: {why}",
-                    "Use pardiso, mkl_dss or superlu_mt; or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
+                    "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
                 )
 
 

@@ -84,17 +84,17 @@ def _undershoot(joint: Joint, control: Element, step: Element, solute: int, wors
     h = float(np.nanmedian(side.thickness))
     seen = (
         f"the first time step {short(size)} is short for elements {short(h)} thick: d dt/h^2 is {short(fourier)} for "
-        f"solute {solute}, and below 1/6 a sudden front undershoots below zero"
+        f"solute {solute}, and a sudden front undershoots zero if this number is below 1/6"
     )
     cure = (
         f"Begin with steps of at least {short(size * SMALLEST_STEP / fourier)}, or use elements of at most "
         f"{short(h * math.sqrt(fourier / SMALLEST_STEP))} at the front, or give the value a load curve over some steps."
     )
     if joint.contact.kind.is_mixture:
-        after = "; sliding-mixture solves the clamp of concentrations as an inequality, so Newton's method goes on"
+        after = ". sliding-mixture solves the clamp of concentrations as an inequality, and Newton's method converges"
         return note("time-step", step, seen + after, cure)
     if not clamps(joint.model.module, control):
-        return note("time-step", step, f"{seen}; the clamp is off, so small negative values will stay", cure)
+        return note("time-step", step, f"{seen}. The clamp is off, and small negative values remain", cure)
     after = ". FEBio sets negative concentrations to zero, and Newton's method often stalls"
     if joint.model.module == "multiphasic":
         cure += " Or set <force_positive_concentrations> to 0 in the solver."

@@ -18,15 +18,15 @@ console = Console(highlight=False, soft_wrap=True)
 
 
 def gallery(
-    only: Annotated[list[str] | None, typer.Option(help="Run this model alone; may be repeated.")] = None,
-    small: Annotated[bool, typer.Option(help="Fewer elements and steps, in a minute.")] = False,
+    only: Annotated[list[str] | None, typer.Option(help="Run only this model. The option may be repeated.")] = None,
+    small: Annotated[bool, typer.Option(help="Use fewer elements and steps, for a run of a minute.")] = False,
     folder: Annotated[
         Path, typer.Option(help="Write page, numbers and pictures to this folder; `docs` for the site.")
     ] = RESULTS / "gallery",
 ) -> None:
-    """Run the models that one would start from, and write their page with pictures, curves and run times.
+    """Run the models of the gallery, and write their page with pictures, curves and run times.
 
-    The other models stay on the page with --only, if they were made with the same plugin and FEBio.
+    With --only, the page keeps the other models if the same plugin and FEBio made their results.
     """
     known = {entry.model.name: entry for entry in entries.entries()}
     names = chosen(only, known)

@@ -107,8 +107,8 @@ def _indentation() -> Entry:
     short = replace(indentation.CONTROL, steps=round(indentation.RAMP / indentation.CONTROL.step))
     return Entry(
         "A semi-cylinder driven into a slab (problem 3.3)",
-        "Start here for indenters and condyles. The bodies deform much, and contact grows. Open nodes have the ambient "
-        "values.",
+        "Start here for indenters and condyles. The deformation is large, and the contact area grows. Open nodes have "
+        "the ambient values.",
         kept_models.INDENTATION.model(),
         replace(kept_models.INDENTATION, plot=False, grid=LEVELS[0], control=short).model(),
         Section(mirrored=True),
@@ -132,7 +132,7 @@ def _joint() -> Entry:
 def _release() -> Entry:
     return Entry(
         "Cartilage on cartilage, a solute crosses",
-        "A drug or a contrast agent in one layer goes into the other one and into the synovial fluid.",
+        "A drug or a contrast agent passes from one layer into the other and into the synovial fluid.",
         kept_models.JOINT_RELEASE.model(),
         replace(kept_models.JOINT_RELEASE, plot=False, cycles=1, across=10, through=4).model(),
         Section(mirrored=True),
@@ -143,7 +143,7 @@ def _release() -> Entry:
 def _graft() -> Entry:
     return Entry(
         "A graft in a defect, fed across its wall",
-        "Repair tissue and host of different material are in a press fit, in three dimensions. Change both materials "
+        "A press fit joins repair tissue and a host of different material, in three dimensions. Change both materials "
         "and the solution around them.",
         kept_models.GRAFT.model(),
         graft.Graft(around=2, outward=4, up=2, control=Control(5, 200.0)).model(),
@@ -155,8 +155,8 @@ def _graft() -> Entry:
 def _platens() -> Entry:
     return Entry(
         "A permeable platen against an impermeable one",
-        "Start here for confined compression and permeation cells. One contact passes everything. The other one passes "
-        "traction alone, because of its materials.",
+        "Start here for confined compression and permeation cells. One contact transmits traction, solvent and "
+        "solute. The other transmits traction alone, because its platen is impermeable.",
         kept_models.PLATENS.model(),
         platens.Platens(elements=5, control=Control(10, 100.0)).model(),
         UPRIGHT,

@@ -112,7 +112,7 @@ def _table(entries: list[Entry], results: Results) -> str:
         r = results.records[entry.model.name]
         counts = (r.nodes, r.elements, r.steps, r.iterations, r.retries, f"{r.cpu:g}")
         rows.append((f"[{entry.title}](#{_anchor(entry.title)})", *counts))
-    return f"{tables.markdown(heads, rows)}\n\nMade with {results.stamp}, default penalties."
+    return f"{tables.markdown(heads, rows)}\n\nThe runs used {results.stamp}, with default penalties."
 
 
 def _anchor(title: str) -> str:
@@ -148,7 +148,7 @@ def _friction() -> str:
 def _pictured(model: Model, picture: str, alt: str) -> str:
     """A model with its one picture, and a description of that."""
     run = f"```console\nscripts/mixcontact run models/{model.name}.feb\n```"
-    return f"{_about(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
+    return f"{_shows(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
 
 
 def _curves(entry: Entry) -> str:
@@ -156,7 +156,6 @@ def _curves(entry: Entry) -> str:
     return f"Over time: solute in each body, concentration on the two sides of the contact{force}"
 
 
-def _about(model: Model) -> str:
-    """What the head of the model file says it shows, without its title line, units and commands."""
-    paragraphs = model.header.split("\n\n")
-    return "\n\n".join(paragraphs[:-2])
+def _shows(model: Model) -> str:
+    """The first paragraph of the head of the model file."""
+    return model.header.split("\n\n")[0]

@@ -363,18 +363,21 @@ SCENES: Mapping[str, Reported] = {
         "half a ball, FEBio's default solver", Hertz("hex8", auto(1.0, NEAR), scheme=Scheme(updates=10, symmetric=None))
     ),
     "hertz-one-step": Reported(
-        "half a ball of Mooney-Rivlin, all of it in two steps", Hertz("hex8", auto(1.0, NEAR), mooney(), Scheme(2, 0.5))
+        "half a Mooney-Rivlin ball, the whole load in two steps",
+        Hertz("hex8", auto(1.0, NEAR), mooney(), Scheme(2, 0.5)),
     ),
     "skin-on-foam": Reported("a shell on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR))),
     "skin-on-foam-tri3": Reported(
         "a shell of triangles on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR), "tri3")
     ),
-    "peeled-tension": Reported("a strip that tension holds is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))),
+    "peeled-tension": Reported(
+        "a strip in contact with `tension` is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))
+    ),
     "dropped": Reported("a soft ball falls onto a slab", partial(dropped, auto(1.0, NEAR))),
     "dropped-friction": Reported(
-        "a soft ball falls aslant onto a slab, friction 0.3", partial(dropped, auto(1.0, NEAR), 0.3)
+        "a soft ball falls obliquely onto a slab, friction 0.3", partial(dropped, auto(1.0, NEAR), 0.3)
     ),
-    "cap-snaps-by-force": Reported("a force snaps a cap of shells through", partial(capped, auto(1.0, NEAR))),
+    "cap-snaps-by-force": Reported("a force causes snap-through of a cap of shells", partial(capped, auto(1.0, NEAR))),
     "cap-snaps": Reported("a rigid ball dents a cap of shells", partial(capped, auto(1.0, NEAR), 0.0)),
     "node-on-facet-slides": Reported(
         "a soft block on a stiff one, sliding-node-on-facet", partial(flat_pair, given(50.0), "sliding-node-on-facet")
@@ -387,7 +390,7 @@ SCENES: Mapping[str, Reported] = {
         "a soft porous block on a stiffer one", partial(flat_pair, _FLUID, "sliding-biphasic", "biphasic"), "biphasic"
     ),
     "biphasic-slides-ten-times-soft": Reported(
-        "a soft porous block on a stiffer one, augmented on a small penalty",
+        "a soft porous block on a stiffer one, AUGLAG with a small penalty",
         partial(flat_pair, auglag(0.1, 0.1, NEAR + fluid(0.1)), "sliding-biphasic", "biphasic"),
         "biphasic",
     ),
@@ -395,7 +398,7 @@ SCENES: Mapping[str, Reported] = {
         "a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID), "biphasic"
     ),
     "ogden-hertz-deep": Reported(
-        "half a ball of Ogden, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)
+        "half an Ogden ball, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)
     ),
 }
 """By name."""

@@ -142,10 +142,12 @@ _SOFT = auto(1.0, NEAR + fluid(1.0))
 _SALT = auto(1.0, NEAR + fluid(1.0, 1.0))
 SCENES: Mapping[str, Reported] = {
     "layers-tight-on-open": Reported(
-        "a dome of hardly any permeability on a slab of a million times as much", Layers((1.0, 1e-6), _SOFT), "biphasic"
+        "a dome with a very low permeability on a slab with a million times this permeability",
+        Layers((1.0, 1e-6), _SOFT),
+        "biphasic",
     ),
     "layers-open-on-tight": Reported(
-        "a dome of a million times the slab's permeability, hex20",
+        "a dome with a million times the slab's permeability, hex20",
         Layers((1e-6, 1.0), _SOFT, element="hex20"),
         "biphasic",
     ),
@@ -160,13 +162,13 @@ SCENES: Mapping[str, Reported] = {
         "biphasic",
     ),
     "layers-augmented-bfgs": Reported(
-        "porous layers of a permeability ratio of 1e4, augmented on a small penalty, BFGS",
+        "porous layers of a permeability ratio of 1e4, AUGLAG with a small penalty, BFGS",
         Layers((1e-4, 1.0), auglag(0.2, 0.1, NEAR + fluid(0.2)), scheme=Scheme(updates=10)),
         "biphasic",
     ),
-    "salty": Reported("layers of fixed charge, two ions cross", lambda: salty(_SALT, (-20.0, -20.0)), "multiphasic"),
+    "salty": Reported("layers with fixed charge, two ions cross", lambda: salty(_SALT, (-20.0, -20.0)), "multiphasic"),
     "salty-unlike": Reported(
-        "a charged layer on one without charge, two ions cross", lambda: salty(_SALT, (-20.0, 0.0)), "multiphasic"
+        "a charged layer on a layer without charge, two ions cross", lambda: salty(_SALT, (-20.0, 0.0)), "multiphasic"
     ),
     "salty-slides-two-pass": Reported(
         "charged layers slide, two passes",

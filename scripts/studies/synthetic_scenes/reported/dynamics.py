@@ -117,16 +117,16 @@ SCENES: Mapping[str, Reported] = {
     ),
     "impact-wall": Reported("a block is thrown onto a rigid wall", partial(impact, auto(1.0, radius(0.5)), wall=True)),
     "impact-two-pass-augmented": Reported(
-        "a block is thrown onto a block, two passes, augmented on a small penalty",
+        "a block is thrown onto a block, two passes, AUGLAG with a small penalty",
         partial(impact, auglag(0.2, 0.1, TWO_PASS + radius(0.5))),
     ),
     "impact-bfgs": Reported(
-        "a block is thrown onto a block, a penalty in numbers, BFGS",
+        "a block is thrown onto a block, numerical penalty, BFGS",
         partial(impact, given(20.0, radius(0.5)), scheme=Scheme(40, 2.5e-6, "DYNAMIC", updates=10)),
     ),
     "ball-bounces": Reported("a soft ball bounces off a slab", partial(ball_bounces, auto(1.0, radius(0.5)))),
     "ball-bounces-friction": Reported(
-        "a soft ball is thrown aslant at a slab, friction 0.3",
+        "a soft ball is thrown obliquely at a slab, friction 0.3",
         partial(ball_bounces, auto(1.0, radius(0.5) + friction(0.3)), 2000.0),
     ),
     "bullet-erodes": Reported(
@@ -134,15 +134,13 @@ SCENES: Mapping[str, Reported] = {
         partial(bullet, "yes", "sliding-elastic", auto(1.0, radius(0.5))),
     ),
     "bullet-erodes-facets": Reported(
-        "a rigid plate erodes a block by stress, surfaces that follow, sliding-facet-on-facet",
+        "a rigid plate erodes a block by stress, surfaces that adapt, sliding-facet-on-facet",
         partial(bullet, "grow", "sliding-facet-on-facet", auto(1.0)),
     ),
     "erosion-by-gap": Reported(
         "a slab erodes by FEBio's criterion of the gap", partial(wears, _GAP.format(0.002), "grow")
     ),
-    "erosion-away": Reported("elements erode that no contact has", partial(wears, _CHOSEN.format("1,2,3"), "yes")),
-    "erosion-in-contact": Reported(
-        "elements erode that are in contact", partial(wears, _CHOSEN.format("38,40"), "yes")
-    ),
+    "erosion-away": Reported("elements without contact erode", partial(wears, _CHOSEN.format("1,2,3"), "yes")),
+    "erosion-in-contact": Reported("elements in contact erode", partial(wears, _CHOSEN.format("38,40"), "yes")),
 }
 """By name."""

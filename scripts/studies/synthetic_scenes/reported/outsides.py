@@ -276,11 +276,11 @@ SCENES: Mapping[str, Reported] = {
         "a box on a box of tet4, whole outsides, BFGS", partial(boxes, 10, "", "tet4")
     ),
     "outsides-boxes-lean": Reported(
-        "a box whose sides lean outwards by a twentieth, and face the other body, whole outsides",
+        "a box whose sides are inclined by a twentieth towards the other body, whole outsides",
         partial(boxes, lean=0.05),
     ),
     "outsides-boxes-augmented": Reported(
-        "a box with leaning sides, whole outsides, augmented on a small penalty",
+        "a box with inclined sides, whole outsides, AUGLAG with a small penalty",
         partial(boxes, 0, auglag(0.2), lean=0.02),
     ),
     "outsides-plate-on-slab": Reported("a thin plate on a slab, whole outsides", plate_on_slab),
@@ -297,20 +297,20 @@ SCENES: Mapping[str, Reported] = {
         "a wedge between two bodies, whole outsides, two contacts", partial(wedge_between, auto(1.0, radius(0.3)))
     ),
     "edge-down": Reported(
-        "the edge of a rigid box into a slab", partial(edge_down, ("z1", "outside"), 45.0, auto(1.0))
+        "the edge of a rigid box is pressed into a slab", partial(edge_down, ("z1", "outside"), 45.0, auto(1.0))
     ),
     "edge-down-slight": Reported(
-        "a rigid box that leans by five degrees", partial(edge_down, ("z1", "outside"), 5.0, auto(1.0))
+        "a rigid box that is tilted by five degrees", partial(edge_down, ("z1", "outside"), 5.0, auto(1.0))
     ),
     "edge-down-outsides": Reported(
-        "the edge of a rigid box into a slab, whole outsides",
+        "the edge of a rigid box is pressed into a slab, whole outsides",
         partial(edge_down, ("outside", "outside"), 30.0, auto(1.0, radius(0.5))),
     ),
     "fold": Reported(
-        "a U is pressed flat, its inside with itself", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)))
+        "a U is pressed flat, self-contact of its inside", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)))
     ),
     "fold-outside": Reported(
-        "a U is pressed flat, its whole outside with itself",
+        "a U is pressed flat, self-contact of its whole outside",
         partial(fold, ("outside", "outside"), auto(0.3, radius(0.2)), depth=0.52),
     ),
     "fold-hex20-bfgs": Reported(

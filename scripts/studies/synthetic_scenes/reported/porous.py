@@ -124,7 +124,7 @@ SCENES: Mapping[str, Reported] = {
         "biphasic",
     ),
     "undrained-load": Reported(
-        "porous blocks of hardly any permeability under a sudden pressure",
+        "porous blocks with a very low permeability under a sudden pressure",
         Blocks(_SOFT, Scheme(10, 0.1), load=0.05, curve=4, permeability=1e-6),
         "biphasic",
     ),
@@ -142,7 +142,7 @@ SCENES: Mapping[str, Reported] = {
         "porous tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10"), "biphasic"
     ),
     "biphasic-load-augmented": Reported(
-        "porous blocks under a pressure, augmented on a small penalty",
+        "porous blocks under a pressure, AUGLAG with a small penalty",
         Blocks(auglag(0.1, 0.1, radius(0.5) + fluid(0.1)), load=0.05),
         "biphasic",
     ),
@@ -155,7 +155,7 @@ SCENES: Mapping[str, Reported] = {
         "biphasic",
     ),
     "biphasic-punch-outside": Reported(
-        "a rigid cylinder creeps into a porous layer, its whole outside the surface",
+        "a rigid cylinder creeps into a porous layer, whole outside",
         partial(punch, _SOFT, Scheme(20), face="outside"),
         "biphasic",
     ),
@@ -175,7 +175,7 @@ SCENES: Mapping[str, Reported] = {
         "solute",
     ),
     "solute-augmented": Reported(
-        "a solute crosses, augmented on a small penalty",
+        "a solute crosses, AUGLAG with a small penalty",
         Blocks(auglag(0.2, 0.1, radius(0.5) + fluid(0.2, 0.2)), solute=True, way=0.3, scheme=Scheme(20)),
         "solute",
     ),

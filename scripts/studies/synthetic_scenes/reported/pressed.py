@@ -101,7 +101,7 @@ class Dome:
 
 
 def stack(params: str, materials: Sequence[Material], side: str, element: str = "hex8") -> Sketch:
-    """Four blocks on each other, the whole outside of each a surface, pressed by a pressure at the top."""
+    """Four blocks on each other, the whole outside of each a surface, a pressure presses the block at the top."""
     names = ["one", "two", "three", "four"]
     sizes = (1.0, 0.8, 0.9, 0.7)
     places = [box((-s, -0.5 * s, 0.5 * k), (s, 0.5 * s, 0.5 * k + 0.5)) for k, s in enumerate(sizes)]
@@ -271,10 +271,11 @@ SCENES: Mapping[str, Reported] = {
         Dome(gap=-0.06, depth=0.1, elements=("tet10", "tet10")),
     ),
     "dome-deep": Reported(
-        "Ogden, pressed deep in five steps", Dome(ogden(), ogden(), depth=0.4, scheme=Scheme(5, 0.2))
+        "an Ogden dome, pressed deep in five steps", Dome(ogden(), ogden(), depth=0.4, scheme=Scheme(5, 0.2))
     ),
     "dome-deep-two-pass": Reported(
-        "Mooney-Rivlin, pressed deep in two passes", Dome(mooney(), mooney(), auto(1.0, NEAR + TWO_PASS), depth=0.4)
+        "a Mooney-Rivlin dome, pressed deep, two passes",
+        Dome(mooney(), mooney(), auto(1.0, NEAR + TWO_PASS), depth=0.4),
     ),
     "dome-hex20-on-tet10": Reported("hex20 on tet10", Dome(elements=("tet10", "hex20"))),
     "dome-hex27-on-penta15": Reported("hex27 on penta15", Dome(elements=("penta15", "hex27"))),
@@ -294,13 +295,13 @@ SCENES: Mapping[str, Reported] = {
     "dome-augmented-fine": Reported(
         "a dome, augmented to a gap of 1e-4 mm", Dome(params=auglag(1.0, 0.0, NEAR + "<gaptol>1e-4</gaptol>"))
     ),
-    "dome-given-soft": Reported("a penalty in numbers that is softer than the bodies", Dome(params=given(0.5, NEAR))),
+    "dome-given-soft": Reported("a numerical penalty that is softer than the bodies", Dome(params=given(0.5, NEAR))),
     "dome-load": Reported("a dome under a large pressure", Dome(neo(1.0, 0.45), neo(1.0, 0.45), load=0.3, gap=-0.03)),
     "stack": Reported(
         "four blocks on each other", partial(stack, auto(1.0, NEAR), [neo(), neo(2.0), neo(0.5), neo()], "")
     ),
     "stack-unlike": Reported(
-        "four blocks on each other, of stiffnesses of 1 to 100",
+        "four blocks on each other, with stiffnesses of 1 to 100",
         partial(stack, auto(1.0, NEAR), [neo(), neo(100.0), neo(), neo(100.0)], ""),
     ),
     "stack-tet4": Reported(
@@ -318,8 +319,12 @@ SCENES: Mapping[str, Reported] = {
     "beam-on-soft-hex20-bfgs": Reported(
         "a cantilever of hex20 bends onto a soft cylinder", partial(beam, auto(1.0, NEAR), "soft", "hex20")
     ),
-    "blown-on-rigid": Reported("a membrane is blown onto a rigid block", partial(blown, auto(1.0, NEAR), rigid())),
-    "blown-on-soft": Reported("a membrane is blown onto a soft block", partial(blown, auto(1.0, NEAR), neo(0.5))),
+    "blown-on-rigid": Reported(
+        "a pressure inflates a membrane against a rigid block", partial(blown, auto(1.0, NEAR), rigid())
+    ),
+    "blown-on-soft": Reported(
+        "a pressure inflates a membrane against a soft block", partial(blown, auto(1.0, NEAR), neo(0.5))
+    ),
     "twist": Reported(
         "a rigid disc is pressed and turned, friction 0.3", partial(twist, auto(1.0, NEAR + friction(0.3)), neo(), 0.5)
     ),
@@ -338,7 +343,7 @@ SCENES: Mapping[str, Reported] = {
     "plug-incompressible": Reported(
         "a rigid cone in a nearly incompressible ring", partial(plug, auto(1.0, NEAR), 0.0, mooney(0.3, 0.0, 1000.0))
     ),
-    "arch-snaps": Reported("a rigid ball snaps an arch through", partial(arch, auto(1.0, NEAR))),
+    "arch-snaps": Reported("a rigid ball causes snap-through of an arch", partial(arch, auto(1.0, NEAR))),
     "crushed": Reported("half a tube under a rigid roller", partial(crushed, auto(1.0, NEAR))),
     "crushed-hex20": Reported("half a tube of hex20 under a rigid roller", partial(crushed, auto(1.0, NEAR), "hex20")),
 }

@@ -197,15 +197,15 @@ SCENES: Mapping[str, Reported] = {
         Punch(FLAT, (1, 1, 1), "z0", neo(), auto(1.0), primary=False),
     ),
     "punch-round-ogden-augmented": Reported(
-        "a rigid sphere on Ogden under a force, augmented",
+        "a rigid sphere on an Ogden block under a force, augmented",
         Punch(ROUND, (5, 5, 5), "z0", ogden(), auglag(1.0)),
     ),
     "punch-round-ogden-augmented-outside": Reported(
-        "a rigid sphere on Ogden under a force, augmented, whole outside, the block as primary surface",
+        "a rigid sphere on an Ogden block under a force, augmented, whole outside, the block as primary surface",
         Punch(ROUND, (5, 5, 5), "outside", ogden(), auglag(1.0), primary=False),
     ),
     "punch-round-friction": Reported(
-        "a rigid sphere under a force, friction 0.4, augmented on a small penalty",
+        "a rigid sphere under a force, friction 0.4, AUGLAG with a small penalty",
         Punch(ROUND, (5, 5, 5), "z0", mooney(), auglag(0.1, 0.1, friction(0.4))),
     ),
     "punch-incompressible-bfgs": Reported(
@@ -217,16 +217,16 @@ SCENES: Mapping[str, Reported] = {
         Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0)),
     ),
     "punch-mooney-stiff-bulk": Reported(
-        "a flat punch on Mooney-Rivlin of a bulk modulus 5000 times the shear modulus",
+        "a flat punch on a Mooney-Rivlin block with a bulk modulus of 5000 times the shear modulus",
         Punch(FLAT, (6, 6, 2), "z0", mooney(0.2, 0.0, 2000.0), auto(1.0, TWO_PASS)),
     ),
     "wheel-rolls": Reported("a rigid wheel rolls on a soft slab, friction 0.3", partial(wheel, 0.3)),
     "plates-tet4": Reported(
-        "soft tetrahedra between rigid plates, their skin the surface",
+        "soft tetrahedra between rigid plates, whole outside",
         BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5))),
     ),
     "plates-tet4-bfgs": Reported(
-        "soft tetrahedra between rigid plates, their skin the surface, BFGS",
+        "soft tetrahedra between rigid plates, whole outside, BFGS",
         BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5)), updates=10),
     ),
     "plates-hex8-deep": Reported(
@@ -238,7 +238,7 @@ SCENES: Mapping[str, Reported] = {
         BetweenPlates(neo(1.0, 0.499), auto(1.0, radius(0.5)), "tet10", 0.2),
     ),
     "plates-friction-augmented": Reported(
-        "a soft body between rigid plates, friction 0.3, augmented on a small penalty",
+        "a soft body between rigid plates, friction 0.3, AUGLAG with a small penalty",
         BetweenPlates(neo(1.0, 0.45), auglag(0.2, 0.1, radius(0.5) + friction(0.3)), "hex8", side="faces"),
     ),
     "plates-biphasic": Reported(

@@ -128,15 +128,15 @@ SCENES: Mapping[str, Reported] = {
     "mooney-slides-hex20": Reported("Mooney-Rivlin blocks of hex20", Blocks(mooney(), auto(1.0), "hex20")),
     "ogden-slides": Reported("Ogden blocks slide", Blocks(ogden(), auto(1.0))),
     "ogden-slides-friction-augmented": Reported(
-        "Ogden blocks, friction 0.3, augmented on a small penalty",
+        "Ogden blocks, friction 0.3, AUGLAG with a small penalty",
         Blocks(ogden(), auglag(0.1, 0.1, friction(0.3))),
     ),
     "ogden-slides-to-and-fro": Reported(
-        "Ogden blocks slide to and fro, friction 0.2, two passes",
+        "Ogden blocks slide back and forth, friction 0.2, two passes",
         Blocks(ogden(), auto(1.0, friction(0.2) + TWO_PASS), way=0.4, back=True),
     ),
     "slides-over-the-edge": Reported(
-        "a block slides until half of it hangs over an edge", Blocks(neo(), auto(2.0), way=1.9)
+        "a block slides until half of it projects over an edge", Blocks(neo(), auto(2.0), way=1.9)
     ),
     "slides-tet15": Reported("blocks of tet15 slide", Blocks(neo(), auto(1.0), "tet15")),
     "slides-penta15": Reported("wedges of 15 nodes slide", Blocks(neo(), auto(1.0), "penta15")),
@@ -151,7 +151,7 @@ SCENES: Mapping[str, Reported] = {
         "a round face slides on a slab, two passes", Blocks(neo(), auto(1.0, TWO_PASS), round_face=0.2)
     ),
     "round-drags-augmented-broyden": Reported(
-        "a round face is dragged, friction 0.015, augmented, Broyden, fixed steps",
+        "a round face is pulled sideways, friction 0.015, augmented, Broyden, fixed steps",
         Blocks(
             neo(1.0, 0.0),
             auglag(1.0, 0.02, friction(0.015)),
@@ -160,10 +160,10 @@ SCENES: Mapping[str, Reported] = {
         ),
     ),
     "groove-two-pass": Reported(
-        "incongruent cylinders, two passes, a penalty in numbers", Groove(given(5.0, TWO_PASS + NEAR))
+        "incongruent cylinders, two passes, numerical penalty", Groove(given(5.0, TWO_PASS + NEAR))
     ),
     "groove-two-pass-slides": Reported(
-        "incongruent cylinders slide, two passes, a penalty in numbers",
+        "incongruent cylinders slide, two passes, numerical penalty",
         Groove(given(5.0, TWO_PASS + NEAR), slides=True),
     ),
     "groove-hex20": Reported("incongruent cylinders of hex20", Groove(auto(1.0, NEAR), "hex20")),
@@ -172,7 +172,7 @@ SCENES: Mapping[str, Reported] = {
         Groove(auto(0.3), "tet4", kind="sliding-facet-on-facet", primary="groove-x0"),
     ),
     "groove-friction-augmented": Reported(
-        "incongruent cylinders slide, friction 0.3, augmented on a small penalty, BFGS",
+        "incongruent cylinders slide, friction 0.3, AUGLAG with a small penalty, BFGS",
         Groove(auglag(0.2, 0.1, NEAR + friction(0.3)), slides=True, updates=10),
     ),
     "groove-biphasic-two-pass": Reported(
@@ -181,7 +181,7 @@ SCENES: Mapping[str, Reported] = {
         "biphasic",
     ),
     "groove-biphasic-slides-augmented": Reported(
-        "incongruent porous cylinders slide, two passes, augmented on a small penalty, friction 0.1",
+        "incongruent porous cylinders slide, two passes, AUGLAG with a small penalty, friction 0.1",
         Groove(
             auglag(0.2, 0.2, TWO_PASS + NEAR + fluid(0.2) + friction(0.1)),
             kind="sliding-biphasic",

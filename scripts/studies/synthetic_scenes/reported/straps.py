@@ -84,7 +84,7 @@ def rod_on_plate() -> Sketch:
 
 
 def shells_on_shells() -> Sketch:
-    """One shell is pressed by a pressure onto another that is held at its edges."""
+    """One shell is a pressure presses the block onto another that is held at its edges."""
     lower = shell((10, 10), box((-2, -2, 0.0), (2, 2, 0.0)), 0.1)
     down = box((-1.5, -1.5, 0.02), (1.5, 1.5, 0.02))
     upper = shell((8, 8), lambda u: down(u) * (-1.0, 1.0, 1.0), 0.1)
@@ -119,13 +119,13 @@ def strip_on_bone(element: str, sides: tuple[str, str], updates: int = 0, penalt
 SCENES: Mapping[str, Reported] = {
     "strap-on-bone": Reported("a shell is pulled over a rigid cylinder", strap_on_bone),
     "strap-on-bone-outside": Reported(
-        "a shell is pulled over a rigid cylinder, whose whole outside is the surface", partial(strap_on_bone, "outside")
+        "a shell is pulled over a rigid cylinder, whole outside", partial(strap_on_bone, "outside")
     ),
     "strap-on-bone-tri3": Reported(
         "a shell of triangles is pulled over a rigid cylinder", partial(strap_on_bone, element="tri3")
     ),
     "strap-on-bone-unlimited": Reported(
-        "a shell over a rigid cylinder, whole outside, sliding-facet-on-facet without a limit of the search",
+        "a shell over a rigid cylinder, whole outside, sliding-facet-on-facet with unlimited search",
         partial(strap_on_bone, "outside", kind="sliding-facet-on-facet", params=auto(1.0, radius(0.0))),
     ),
     "strap-on-two-bones": Reported("a shell over two rigid cylinders, whole outsides", partial(strap_on_two_bones, "")),
@@ -139,13 +139,13 @@ SCENES: Mapping[str, Reported] = {
         partial(ball_in_trampoline, "ball-outside", "net-face"),
     ),
     "rod-on-plate": Reported("a rigid rod under a force on a shell", rod_on_plate),
-    "shells-on-shells": Reported("a shell pressed onto a shell", shells_on_shells),
+    "shells-on-shells": Reported("a shell is pressed onto a shell", shells_on_shells),
     "strip-on-bone": Reported("a strip of hex8 over a rigid cylinder", partial(strip_on_bone, "hex8", ("z0", "x1"))),
     "strip-on-bone-outsides": Reported(
         "a strip of hex8 over a rigid cylinder, whole outsides", partial(strip_on_bone, "hex8", ("outside", "outside"))
     ),
     "strip-on-bone-tet10": Reported(
-        "a strip of tet10 over a rigid cylinder, a penalty in numbers",
+        "a strip of tet10 over a rigid cylinder, numerical penalty",
         partial(strip_on_bone, "tet10", ("z0", "x1"), 0, given(20.0, radius(0.5))),
     ),
 }

@@ -132,17 +132,17 @@ SCENES: Mapping[str, Reported] = {
     "rod-in-tube-outsides": Reported(
         "a rod pressed against the inside of a tube, whole outsides", RodInTube(("outside", "outside"))
     ),
-    "rod-in-tube-tet10": Reported("a rod in a tube, of tet10", RodInTube(element="tet10")),
+    "rod-in-tube-tet10": Reported("a rod in a tube, tet10", RodInTube(element="tet10")),
     "rod-in-tube-friction": Reported(
-        "a rod is pressed and drawn along the tube, friction 0.2",
+        "a rod is pressed and pulled along the tube, friction 0.2",
         RodInTube(params=auto(2.0, NEAR + friction(0.2)), slides=True),
     ),
     "rod-in-tube-two-pass-bfgs": Reported(
-        "a rod is drawn along a tube, two passes, BFGS",
+        "a rod is pulled along a tube, two passes, BFGS",
         RodInTube(params=auto(1.0, NEAR + TWO_PASS), slides=True, updates=10),
     ),
     "press-fit": Reported(
-        "a rod that is wider than its tube from the start", RodInTube(outer=1.05, params=auto(1.0, NEAR))
+        "a rod that is wider than its tube at the start", RodInTube(outer=1.05, params=auto(1.0, NEAR))
     ),
     "rigid-rod-in-tube": Reported(
         "a rigid rod under a force in a soft tube", partial(rigid_rod_in_tube, "tube-x0", "rod-x1")
@@ -151,27 +151,27 @@ SCENES: Mapping[str, Reported] = {
         "a rigid rod under a force in a soft tube, whole outsides",
         partial(rigid_rod_in_tube, "tube-outside", "rod-outside"),
     ),
-    "ring-grows": Reported("a ring is blown up into a tube", partial(ring_grows, auto(1.0, NEAR))),
+    "ring-grows": Reported("a ring expands against a tube", partial(ring_grows, auto(1.0, NEAR))),
     "ring-grows-augmented-bfgs": Reported(
-        "a ring is blown up into a tube, augmented on a small penalty, BFGS",
+        "a ring expands against a tube, AUGLAG with a small penalty, BFGS",
         partial(ring_grows, auglag(0.2, 0.1, NEAR), 10),
     ),
     "crossed-tubes-two-pass": Reported(
-        "crossed Mooney-Rivlin tubes, two passes, a penalty in numbers",
+        "crossed Mooney-Rivlin tubes, two passes, numerical penalty",
         Crossed(mooney(), given(5.0, TWO_PASS + NEAR)),
     ),
     "crossed-tubes-two-pass-bfgs": Reported(
-        "crossed Mooney-Rivlin tubes, two passes, a penalty in numbers, BFGS",
+        "crossed Mooney-Rivlin tubes, two passes, numerical penalty, BFGS",
         Crossed(mooney(), given(5.0, TWO_PASS + NEAR), updates=10),
     ),
     "crossed-tubes-ogden": Reported("crossed Ogden tubes", Crossed(ogden(), auto(1.0, NEAR))),
     "crossed-tubes-tet10": Reported("crossed tubes of tet10", Crossed(neo(), auto(1.0, NEAR), "tet10")),
     "crossed-tubes-friction-augmented": Reported(
-        "crossed tubes slide, friction 0.2, augmented on a small penalty",
+        "crossed tubes slide, friction 0.2, AUGLAG with a small penalty",
         Crossed(mooney(), auglag(0.2, 0.1, NEAR + friction(0.2)), slides=True),
     ),
     "crossed-tubes-outsides": Reported(
-        "crossed tubes, whole outsides, which the insides belong to",
+        "crossed tubes, whole outsides, including the insides",
         Crossed(mooney(), auto(1.0, NEAR), side="outside"),
     ),
     "crossed-tubes-two-pass-deep": Reported(
