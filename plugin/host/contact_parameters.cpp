@@ -41,15 +41,25 @@ mixture_contact::Integration integration(const ContactParameters& p) {
   return p.integration.rule.value == 1 ? Integration::segments : Integration::gauss;
 }
 
-/// The default traction factor that a solver without a tangent bears.
+/// The default traction factor that a solver bears.
 ///
-/// Conjugate gradients: what users of FEBio's interfaces choose. Explicit: two halves of a bar of equal elements
+/// Conjugate gradients: what users of FEBio's interfaces choose. Dynamics: two halves of a bar of equal elements
 /// (stiffness k, mass m) joined by a contact of stiffness factor k have a mode at the contact with m w^2/k = 2 + r +
-/// 1/r, where 1/r - r = 4 factor; the bar itself has 4. At 1/2 that shortens the critical time step by 9 percent, at 1
-/// by 21.
-double largest_traction_factor(SolverKind solver) {
-  if (solver == SolverKind::newton) return std::numeric_limits<double>::infinity();
-  return solver == SolverKind::conjugate_gradient ? 10 : 0.5;
+/// 1/r, where 1/r - r = 4 factor; the bar itself has 4. Explicit: at 1/2 that shortens the critical time step by 9
+/// percent, at 1 by 21. Implicit: at 3 the mode has twice the largest frequency of the bar, so that steps which resolve
+/// the elements resolve the contact. Augmentations make the contact hard for any penalty.
+double largest_traction_factor(SolverKind solver, mixture_contact::Enforcement enforcement) {
+  const double any = std::numeric_limits<double>::infinity();
+  switch (solver) {
+    case SolverKind::conjugate_gradient:
+      return 10;
+    case SolverKind::explicit_dynamics:
+      return 0.5;
+    case SolverKind::implicit_dynamics:
+      return enforcement == mixture_contact::Enforcement::penalty ? 3 : any;
+    default:
+      return any;
+  }
 }
 
 /// What of a reduction an automatic traction factor bears: down to 1, the stiffness of the bodies.
@@ -226,7 +236,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.enforcement = enforcement(p.enforcement.laugon);
   const GapRule gap{p.gap.offset.value, p.gap.tension, !left_out(p).contact};
   const double factor = std::min(normal_condition(gap).penalty_factor(sees_both_ways(p)),
-                                 largest_traction_factor(solver));
+                                 largest_traction_factor(solver, settings.enforcement));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
   settings.traction = penalty_rule(p.penalties.traction, p.penalties.auto_penalty, factor);
   settings.reduced_traction = {borne_reduction(p, factor, reduction.divisor), reduction.kept};

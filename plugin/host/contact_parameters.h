@@ -353,6 +353,8 @@ bool reads_properties_again(const ContactParameters& parameters, const mixture_c
 /// How the host's solver finds equilibrium, which bounds the traction penalty that it can bear where none is given.
 enum class SolverKind {
   newton,              ///< with the tangent: any
+  implicit_dynamics,   ///< with the tangent, in steps that resolve waves: a contact much stiffer than the elements adds
+                       ///< energy
   conjugate_gradient,  ///< without: convergence takes the longer the stiffer the contact is
   explicit_dynamics    ///< the stiffer the contact, the shorter the critical time step
 };
