@@ -34,8 +34,8 @@ bool has_fluid(const FacetMaterials& materials);
 /// Whether hard contact would open and close in turn in steps of `dt` [s].
 ///
 /// Hard contact stops a node within a step. The trapezoidal rule reverses the velocity v of a node that rests, and the
-/// force of its inertia alternates by 4 m v/dt = 2 rho h v/dt per area, with half the mass of an element of thickness h.
-/// The wave in the body carries rho c v. A node therefore stays in contact if c dt > 2 h.
+/// force of its inertia alternates by 4 m v/dt = 2 rho h v/dt per area, with half the mass of an element of thickness
+/// h. The wave in the body carries rho c v. A node therefore stays in contact if c dt > 2 h.
 bool would_rebound(const FacetMaterials& materials, double dt);
 
 /// Sets the materials behind the facets of a mesh.
