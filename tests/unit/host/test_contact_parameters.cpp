@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <limits>
+#include <vector>
 
 namespace {
 
@@ -104,8 +105,12 @@ BOOST_AUTO_TEST_CASE(nodes_rebound_in_steps_in_which_sound_crosses_less_than_two
   rigid.stiffness = std::numeric_limits<double>::infinity();
   FacetMaterial soft;
   soft.crossing = 1e-3;
-  BOOST_TEST(!would_rebound({{{rigid}, {rigid}}}, 1e-6));
-  BOOST_TEST(would_rebound({{{rigid}, {rigid, soft}}}, 1.9e-3));
-  BOOST_TEST(would_rebound({{{soft}, {rigid}}}, 1.9e-3));
-  BOOST_TEST(!would_rebound({{{soft}, {soft}}}, 2.1e-3));
+  using Facets = std::vector<FacetMaterial>;
+  const auto rebound = [](const Facets& primary, const Facets& secondary, double dt) {
+    return would_rebound(FacetMaterials{{primary, secondary}}, dt);
+  };
+  BOOST_TEST(!rebound({rigid}, {rigid}, 1e-6));
+  BOOST_TEST(rebound({rigid}, {rigid, soft}, 1.9e-3));
+  BOOST_TEST(rebound({soft}, {rigid}, 1.9e-3));
+  BOOST_TEST(!rebound({soft}, {soft}, 2.1e-3));
 }
