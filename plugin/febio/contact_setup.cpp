@@ -8,6 +8,8 @@
 #include "surface_materials.h"
 
 #include <FEBioMech/FEExplicitSolidSolver.h>
+#include <FEBioMech/FESolidAnalysis.h>
+#include <FEBioMech/FESolidSolver2.h>
 #include <FEBioMix/FEBiphasicAnalysis.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEElement.h>
@@ -46,6 +48,13 @@ bool is_criterion_of_gaps(FECoreBase& adaptor) {
     if (std::string(criterion->GetTypeStr()) == "contact gap") return true;
   }
   return false;
+}
+
+/// Whether the present step has inertia, in a solver with a tangent.
+bool has_inertia(FEModel& fem) {
+  FEAnalysis& step = *fem.GetCurrentStep();
+  const bool is_of_solids = dynamic_cast<const FESolidSolver2*>(step.GetFESolver()) != nullptr;
+  return is_of_solids && step.m_nanalysis == FESolidAnalysis::DYNAMIC;
 }
 
 }  // namespace
@@ -238,13 +247,21 @@ void ContactSetup::update_properties(const BoundContact& contact) const {
   if (const auto found = materials()) update_materials(contact.core(), *found);
 }
 
+SolverKind ContactSetup::solver_kind() const {
+  if (!has_inertia(fem_)) return solver_kind_of(fem_);
+  const std::optional<FacetMaterials> found = materials();
+  // The size that the user gave, because a penalty that changed with the step would change the energy of the contact.
+  const double dt = fem_.GetCurrentStep()->m_dt0;
+  return found && would_rebound(*found, dt) ? SolverKind::implicit_dynamics : SolverKind::newton;
+}
+
 void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) const {
-  Settings settings = core_settings(parameters_, solver_kind_of(fem_), reduction);
+  Settings settings = core_settings(parameters_, solver_kind(), reduction);
   settings.solvent.time_step = storing_time_step(fem_);
   contact.core().update_laws(settings);
 }
 
-bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind_of(fem_)); }
+bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind()); }
 
 bool ContactSetup::follow_load_curves(const BoundContact& contact, const ReducedPenalty& reduction) const {
   const bool sound = has_sound_values() && check_ambient();

@@ -63,6 +63,8 @@ class ContactSetup {
   bool has_penalty(const BoundContact& contact) const;
   bool can_have_multipliers(const BoundContact& contact) const;
   Motion motion() const;
+  /// The kind of the present step's solver, for the traction penalty.
+  SolverKind solver_kind() const;
 
   FEModel& fem_;
   ContactSurfaces& surfaces_;

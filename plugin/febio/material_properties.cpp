@@ -151,7 +151,9 @@ FacetMaterial properties_of(const MaterialParts& parts, const FacetGeometry& geo
   if (parts.rigid != nullptr) return result;
   const vec3d n = geometry.normal;
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*geometry.element->GetMaterialPoint(0));
-  result.stiffness = stiffness_of(parts, *point, n) / geometry.thickness;
+  const double modulus = stiffness_of(parts, *point, n);
+  result.stiffness = modulus / geometry.thickness;
+  if (modulus > 0) result.crossing = geometry.thickness * std::sqrt(parts.solid->Density(*point) / modulus);
   if (parts.permeability != nullptr) {
     result.permeable = true;
     result.permeability = n * (parts.permeability->Permeability(*point) * n) / geometry.thickness;

@@ -41,15 +41,26 @@ mixture_contact::Integration integration(const ContactParameters& p) {
   return p.integration.rule.value == 1 ? Integration::segments : Integration::gauss;
 }
 
-/// The largest default factor of the traction penalty for a solver without a tangent.
+/// The largest default factor of the traction penalty for a solver.
 ///
-/// Conjugate gradients: the usual choice in models with FEBio's interfaces. Explicit dynamics: two halves of a bar of
-/// equal elements (stiffness k, mass m), joined by a contact of `factor` k, have a mode at the contact with m w^2/k = 2
-/// + r + 1/r, where 1/r - r = 4 factor; the bar itself has 4. A factor of 1/2 reduces the critical time step by 9
-/// percent, a factor of 1 by 21 percent.
-double largest_traction_factor(SolverKind solver) {
-  if (solver == SolverKind::newton) return std::numeric_limits<double>::infinity();
-  return solver == SolverKind::conjugate_gradient ? 10 : 0.5;
+/// Conjugate gradients: the usual choice in models with FEBio's interfaces. Dynamics: two halves of a bar of equal
+/// elements (stiffness k, mass m), joined by a contact of `factor` k, have a mode at the contact with m w^2/k = 2 + r +
+/// 1/r, where 1/r - r = 4 factor; the bar itself has 4. Explicit dynamics: a factor of 1/2 reduces the critical time
+/// step by 9 percent, a factor of 1 by 21 percent. Implicit dynamics: with a factor of 3, the mode has twice the largest
+/// frequency of the bar, and steps that resolve the elements resolve the contact. Augmentations make the contact hard
+/// for any penalty.
+double largest_traction_factor(SolverKind solver, mixture_contact::Enforcement enforcement) {
+  const double any = std::numeric_limits<double>::infinity();
+  switch (solver) {
+    case SolverKind::conjugate_gradient:
+      return 10;
+    case SolverKind::explicit_dynamics:
+      return 0.5;
+    case SolverKind::implicit_dynamics:
+      return enforcement == mixture_contact::Enforcement::penalty ? 3 : any;
+    default:
+      return any;
+  }
 }
 
 /// The divisor of an automatic traction penalty with this factor: limited such that the penalty is at least the
@@ -227,7 +238,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.enforcement = enforcement(p.enforcement.laugon);
   const GapRule gap{p.gap.offset.value, p.gap.tension, !left_out(p).contact};
   const double factor = std::min(normal_condition(gap).penalty_factor(sees_both_ways(p)),
-                                 largest_traction_factor(solver));
+                                 largest_traction_factor(solver, settings.enforcement));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
   settings.traction = penalty_rule(p.penalties.traction, p.penalties.auto_penalty, factor);
   settings.reduced_traction = {borne_reduction(p, factor, reduction.divisor), reduction.kept};

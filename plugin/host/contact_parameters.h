@@ -368,6 +368,8 @@ bool reads_properties_again(const ContactParameters& parameters, const mixture_c
 /// The solution method of the host, which limits the default traction penalty.
 enum class SolverKind {
   newton,              ///< with the tangent; any penalty is possible
+  implicit_dynamics,   ///< with the tangent, in steps that resolve waves; contact much stiffer than the elements adds
+                       ///< energy
   conjugate_gradient,  ///< without the tangent; stiff contact converges slowly
   explicit_dynamics    ///< stiff contact reduces the critical time step
 };

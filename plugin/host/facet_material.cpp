@@ -36,6 +36,13 @@ bool has_fluid(const FacetMaterials& materials) {
   });
 }
 
+bool would_rebound(const FacetMaterials& materials, double dt) {
+  return std::any_of(materials.begin(), materials.end(), [dt](const std::vector<FacetMaterial>& facets) {
+    return std::any_of(facets.begin(), facets.end(),
+                       [dt](const FacetMaterial& facet) { return dt < 2 * facet.crossing; });
+  });
+}
+
 void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials, const Effects& effects) {
   const auto facets = static_cast<Index>(materials.size());
   mesh.thickness.resize(facets);

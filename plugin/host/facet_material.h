@@ -13,6 +13,7 @@
 struct FacetMaterial {
   double thickness = 0;     ///< thickness of the element [mm]
   double stiffness = 0;     ///< normal stiffness modulus over thickness [N/mm^3]; infinite if rigid
+  double crossing = 0;      ///< time in which sound crosses the element along the facet's normal [s]; 0 if rigid
   bool permeable = false;   ///< true if the material is permeable to the solvent
   double permeability = 0;  ///< hydraulic permeability over thickness [mm^3/(N s)]
   std::map<int, double>
@@ -30,6 +31,13 @@ std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
 
 /// True if the material behind a facet of either surface contains a fluid.
 bool has_fluid(const FacetMaterials& materials);
+
+/// True if hard contact would open and close in alternate steps of `dt` [s].
+///
+/// Hard contact stops a node within a step. The trapezoidal rule reverses the velocity v of a node at rest, and the
+/// force of its inertia alternates by 4 m v/dt = 2 rho h v/dt per area, with half the mass of an element of thickness
+/// h. The wave in the body carries rho c v. A node therefore stays in contact if c dt > 2 h.
+bool would_rebound(const FacetMaterials& materials, double dt);
 
 /// Sets the properties of a mesh from the materials behind its facets.
 void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,

@@ -9,6 +9,8 @@ import pytest
 from lxml import etree
 
 from harness.conversion import convert
+from harness.run import engine, logdata
+from studies import feb
 from studies.pages.scene_results import Took
 from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison, kept_runs
@@ -16,6 +18,7 @@ from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 from studies.synthetic_scenes.reported.shapes import MIDDLES, arc, box, mapped, shell
 
 QUICK = ("punch-flat-tilts", "rod-in-tube-outsides", "ring-between-plates")
+VELOCITIES = ("vx", "vy", "vz")
 ELEMENTS = {"hex8", "hex20", "hex27", "tet4", "tet10", "tet15", "penta6", "penta15", "quad4", "tri3"}
 
 
@@ -89,3 +92,22 @@ def test_a_scene_runs_as_with_febios_interface(name, tmp_path):
     assert row.converted.ended, row.converted.why
     assert row.converted.retries <= row.febio.retries
     assert not row.defaults.made
+
+
+@pytest.mark.usefixtures("runner")
+def test_a_body_leaves_a_wall_with_no_more_energy_than_it_came_with(tmp_path):
+    scene = SCENES["impact-wall"]
+    path = comparison.write_converted(
+        scene.write("wall", tmp_path / "febio"), tmp_path / "defaults", comparison.without_penalties
+    )
+    logged = feb.only(feb.read(path).root, "Output/logfile/node_data")
+    path.write_text(path.read_text().replace(str(logged.get("data")), ";".join(VELOCITIES)))
+    engine.execute(engine.Febio4().command(path, plugin=True), path.parent)
+    velocities = logdata.read_history(path.parent / str(logged.get("file")), VELOCITIES).values
+    # All elements of the block are equal: a node's mass is in proportion to their number.
+    bodies = scene.draw().bodies
+    elements = np.bincount(np.ravel(bodies["block"].elements))
+    first = len(bodies["slab"].nodes)
+    of_block = velocities[:, first : first + len(elements)]
+    energies = np.einsum("tni,tni,n->t", of_block, of_block, elements)
+    assert energies[-1] < energies[0]

@@ -1,7 +1,11 @@
 // Tests of defaults for parameters that a model does not set.
 #include "host/contact_parameters.h"
+#include "host/facet_material.h"
 
 #include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <vector>
 
 namespace {
 
@@ -83,4 +87,30 @@ BOOST_AUTO_TEST_CASE(a_device_of_the_solver_that_does_not_exist_is_an_error_that
   BOOST_TEST_REQUIRE(list.size() == 1U);
   for (const char* const part : {"<solver_devices>", "\"magic\"", "\"all\"", "loads_as_unknowns", "predictor"})
     BOOST_TEST(list.front().find(part) != std::string::npos, part);
+}
+
+BOOST_AUTO_TEST_CASE(implicit_dynamics_bound_the_penalty_that_nothing_else_chooses) {
+  ContactParameters parameters;
+  BOOST_TEST(core_settings(parameters, SolverKind::implicit_dynamics).traction.value == 3);
+  parameters.enforcement.laugon = 1;
+  BOOST_TEST(core_settings(parameters, SolverKind::implicit_dynamics).traction.value ==
+             mixture_contact::default_traction_factor);
+  parameters.penalties.traction.given = true;
+  parameters.penalties.traction.value = 50;
+  BOOST_TEST(core_settings(parameters, SolverKind::implicit_dynamics).traction.value == 50);
+}
+
+BOOST_AUTO_TEST_CASE(nodes_rebound_in_steps_in_which_sound_crosses_less_than_two_elements) {
+  FacetMaterial rigid;
+  rigid.stiffness = std::numeric_limits<double>::infinity();
+  FacetMaterial soft;
+  soft.crossing = 1e-3;
+  using Facets = std::vector<FacetMaterial>;
+  const auto rebound = [](const Facets& primary, const Facets& secondary, double dt) {
+    return would_rebound(FacetMaterials{{primary, secondary}}, dt);
+  };
+  BOOST_TEST(!rebound({rigid}, {rigid}, 1e-6));
+  BOOST_TEST(rebound({rigid}, {rigid, soft}, 1.9e-3));
+  BOOST_TEST(rebound({soft}, {rigid}, 1.9e-3));
+  BOOST_TEST(!rebound({soft}, {soft}, 2.1e-3));
 }
