@@ -75,22 +75,23 @@ def two_strips(strips: Strips) -> Parts:
     for name, side in (("up", "bottom"), ("low", "top")):
         middle = {f: np.mean([parts.nodes[n - 1][0] for n in f]) for f in parts.surfaces[f"{name}-{side}"]}
         parts.surfaces[f"{name}-tied"] = [f for f, x in middle.items() if x > strips.crack]
+        parts.surfaces[f"{name}-crack"] = [f for f, x in middle.items() if x < strips.crack]
     parts.node_sets[ALL] = list(range(1, len(parts.nodes) + 1))
     return parts
 
 
-def document(strips: Strips, parts: Parts, boundary: list[str]) -> Document:
+def document(strips: Strips, parts: Parts, boundary: list[str], *contacts: str) -> Document:
     """A model of strips whose ends follow the first load curve, from 0 to 1."""
     inner = control("solid", strips.steps, 1 / strips.steps, retries=8)
     tolerances = EXACTLY.split("<ptol>", maxsplit=1)[0].replace("1e-12", "1e-8").replace("1e-9", "1e-6")
     return Document(
-        parts.mesh({"tie": ("up-tied", "low-tied")}),
+        parts.mesh({"tie": ("up-tied", "low-tied"), "crack": ("up-crack", "low-crack")}),
         tuple(elastic(name, n, strips.modulus) for n, name in enumerate(("low", "up"), 1)),
         control=inner.replace("<max_refs>", f"{tolerances}<lstol>0</lstol><max_refs>"),
         boundary=[fixed(ALL, "y"), *boundary],
-        contacts=(contact("tie", "tie", "tied-mixture", strips.tie),),
+        contacts=(contact("tie", "tie", "tied-mixture", strips.tie), *contacts),
         curves=(curve(1, (0, 0), (1, 1)),),
-        node_data="uz",
+        node_data="Rx;Rz",
         surface_data={"up-tied": f"{BONDS};viscous energy"},
     )
 
@@ -100,6 +101,33 @@ def double_cantilever_beam(strips: Strips) -> Document:
     parts = two_strips(strips)
     ends = [moved("up-left", "z", 0.5 * strips.opening), moved("low-left", "z", -0.5 * strips.opening)]
     return document(strips, parts, [fixed("low-right", "x"), *ends])
+
+
+def end_notched_flexure(strips: Strips) -> Document:
+    """Strips on supports at both ends that are pressed down in the middle: the crack slides, and is pressed."""
+    parts = two_strips(strips)
+    place = np.array(parts.nodes)
+    h = strips.thickness
+    for name, x, z in (("left", 0.0, -h), ("right", strips.length, -h), ("middle", 0.5 * strips.length, h)):
+        here = np.abs(place[:, [0, 2]] - (x, z)).max(axis=1) < 1e-9
+        parts.node_sets[name] = [int(n) + 1 for n in np.flatnonzero(here)]
+    held = [fixed("left", "z"), fixed("right", "x", "z"), moved("middle", "z", -strips.opening)]
+    return document(strips, parts, held, contact("crack", "crack", "sliding-mixture"))
+
+
+def peeled(strips: Strips, angle: float) -> Document:
+    """A strip that is peeled off a block that does not move, so that its free part keeps an angle with the bonds.
+
+    The end of the strip goes along a straight line: a free part that is as long as the way of the crack leads there.
+    """
+    parts = two_strips(strips)
+    place = np.array(parts.nodes)
+    here = np.abs(place[:, [0, 2]] - (0.0, 0.5 * strips.thickness)).max(axis=1) < 1e-9
+    parts.node_sets["end"] = [int(n) + 1 for n in np.flatnonzero(here)]
+    parts.node_sets["held"] = sorted({n for part in parts.parts[:1] for ids in part.elements for n in ids})
+    way = strips.opening * np.array([1 - np.cos(angle), np.sin(angle)])
+    ends = [moved("end", axis, round(size, 9)) for axis, size in zip("xz", way.tolist(), strict=True)]
+    return document(strips, parts, [fixed("held", "x", "z"), *ends])
 
 
 def with_energy(text: str) -> str:
