@@ -41,10 +41,6 @@ inline constexpr double default_cohesive_factor = 50;
 /// The largest factor that augmentations may reach: conditions that others nearly repeat close slowly at less.
 inline constexpr double largest_tie_factor = 1e8;
 
-/// The derivative that an iteration takes for a bond whose damage grows: the true one, or that of one that yields
-/// (yielding_derivative()).
-enum class Softening { exact, yielding };
-
 class Tie {
  public:
   using AddResidual = std::function<void(const Patch&, const VectorXd&)>;
@@ -78,7 +74,9 @@ class Tie {
   TieLoads loads(const PerSide<SurfaceFields>& fields) const;
   /// Hands out R of each node: forces -A_a W_aj t_a, flows times dt, and -A_a k D_a of unknown multipliers.
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  void tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const;
+  /// `softening`: the part of the softening of growing damage that it includes; 1: all, the true derivative; 0: such
+  /// bonds yield (yielding_derivative()).
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, double softening, const AddTangent& add) const;
 
   /// How well a solution meets its conditions (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
@@ -101,7 +99,7 @@ class Tie {
  private:
   double flux_penalty(Index n, int field) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
-  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const;
+  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, double softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
   /// Calls use(patch, make(node, field)) for the traction, field -1, and the fluxes of all nodes in order; makes them
   /// on several threads.

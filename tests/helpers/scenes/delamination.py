@@ -1,11 +1,11 @@
-"""Strips that come apart: a double cantilever beam.
+"""Strips that come apart: a double cantilever beam, an end-notched flexure, a strip that is peeled off.
 
 Plane strain with a Poisson's ratio of 0, one element wide. Strips lie along x and part along z = 0.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,19 +115,34 @@ def end_notched_flexure(strips: Strips) -> Document:
     return document(strips, parts, held, contact("crack", "crack", "sliding-mixture"))
 
 
-def peeled(strips: Strips, angle: float) -> Document:
-    """A strip that is peeled off a block that does not move, so that its free part keeps an angle with the bonds.
+TURNED = 0.4
+"""The part of the time in which the free part of a strip that is peeled is turned up."""
 
-    The end of the strip goes along a straight line: a free part that is as long as the way of the crack leads there.
+
+def path_of_peeling(strips: Strips, angle: float) -> Array:
+    """Time and displacements along x and z of the end of a strip, whose crack runs until the free part is `opening`.
+
+    The free part is turned up about the tip of the crack. Its end then goes along the straight line that keeps the
+    angle between it and the bonds.
     """
+    turn = np.linspace(0, angle, 13)
+    arc = strips.crack * np.array([1 - np.cos(turn), np.sin(turn)]).T
+    line = strips.opening * np.array([[1 - np.cos(angle), np.sin(angle)]])
+    times = np.append(TURNED * np.linspace(0, 1, len(turn)), 1.0)
+    return np.column_stack([times, np.vstack([arc, line])])
+
+
+def peeled(strips: Strips, angle: float) -> Document:
+    """A strip that is peeled off another one, which is held, at an angle."""
     parts = two_strips(strips)
     place = np.array(parts.nodes)
     here = np.abs(place[:, [0, 2]] - (0.0, 0.5 * strips.thickness)).max(axis=1) < 1e-9
     parts.node_sets["end"] = [int(n) + 1 for n in np.flatnonzero(here)]
-    parts.node_sets["held"] = sorted({n for part in parts.parts[:1] for ids in part.elements for n in ids})
-    way = strips.opening * np.array([1 - np.cos(angle), np.sin(angle)])
-    ends = [moved("end", axis, round(size, 9)) for axis, size in zip("xz", way.tolist(), strict=True)]
-    return document(strips, parts, [fixed("held", "x", "z"), *ends])
+    parts.node_sets["held"] = sorted({n for ids in parts.parts[0].elements for n in ids})
+    path = path_of_peeling(strips, angle)
+    ends = [moved("end", "x", 1.0, 1), moved("end", "z", 1.0, 2)]
+    curves = tuple(curve(n, *path[:, [0, n]].tolist()) for n in (1, 2))
+    return replace(document(strips, parts, [fixed("held", "x", "z"), *ends]), curves=curves)
 
 
 def with_energy(text: str) -> str:
