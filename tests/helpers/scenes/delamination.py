@@ -25,7 +25,9 @@ class Strips:
     Attributes
     ----------
     cells : int
-        Elements across the thickness of a strip, and as many over the same length along it.
+        Elements across the thickness of a strip.
+    finer : int
+        Elements along a strip over a length in which as many as one would be cubes.
     length, crack, thickness : float
         Of each strip, mm; the crack begins at x = 0.
     modulus, strength, energy : float
@@ -39,6 +41,7 @@ class Strips:
     """
 
     cells: int = 4
+    finer: int = 1
     length: float = 14.0
     crack: float = 6.0
     thickness: float = 1.0
@@ -57,7 +60,12 @@ class Strips:
     @property
     def along(self) -> int:
         """Elements along a strip."""
-        return round(self.length * self.cells / self.thickness)
+        return round(self.length * self.cells * self.finer / self.thickness)
+
+    @property
+    def element(self) -> float:
+        """Volume of an element, mm^3."""
+        return self.length / self.along * self.width * self.thickness / self.cells
 
     @property
     def tie(self) -> str:
@@ -103,6 +111,10 @@ def double_cantilever_beam(strips: Strips) -> Document:
     return document(strips, parts, [fixed("low-right", "x"), *ends])
 
 
+WHOLE = (0.2, 0.85)
+"""The part of the time, and of the way, in which a flexure bends before its crack runs."""
+
+
 def end_notched_flexure(strips: Strips) -> Document:
     """Strips on supports at both ends that are pressed down in the middle: the crack slides, and is pressed."""
     parts = two_strips(strips)
@@ -112,7 +124,8 @@ def end_notched_flexure(strips: Strips) -> Document:
         here = np.abs(place[:, [0, 2]] - (x, z)).max(axis=1) < 1e-9
         parts.node_sets[name] = [int(n) + 1 for n in np.flatnonzero(here)]
     held = [fixed("left", "z"), fixed("right", "x", "z"), moved("middle", "z", -strips.opening)]
-    return document(strips, parts, held, contact("crack", "crack", "sliding-mixture"))
+    pressed = document(strips, parts, held, contact("crack", "crack", "sliding-mixture"))
+    return replace(pressed, curves=(curve(1, (0, 0), WHOLE, (1, 1)),))
 
 
 TURNED = 0.4
