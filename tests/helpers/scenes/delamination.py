@@ -16,6 +16,8 @@ from studies.models.small import Document, Parts, contact, control, curve, elast
 
 Array = NDArray[np.float64]
 ALL = "all-nodes"
+MOST_MATRICES = 150
+"""In a step: a crack that jumps over several nodes takes some iterations for each."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,8 @@ class Strips:
     modulus, strength, energy : float
         Young's modulus and strength of bonds, MPa, and the energy that breaks them, N/mm; the same in both modes.
     opening : float
-        Largest distance that the ends move apart, mm.
+        Largest distance that the ends move apart, or that a flexure is pressed down; length at last of the free part
+        of a strip that is peeled; mm.
     steps : int
         Equal time steps.
     more : str
@@ -95,7 +98,7 @@ def document(strips: Strips, parts: Parts, boundary: list[str], *contacts: str) 
     return Document(
         parts.mesh({"tie": ("up-tied", "low-tied"), "crack": ("up-crack", "low-crack")}),
         tuple(elastic(name, n, strips.modulus) for n, name in enumerate(("low", "up"), 1)),
-        control=inner.replace("<max_refs>", f"{tolerances}<lstol>0</lstol><max_refs>"),
+        control=inner.replace("<max_refs>25<", f"{tolerances}<lstol>0</lstol><max_refs>{MOST_MATRICES}<"),
         boundary=[fixed(ALL, "y"), *boundary],
         contacts=(contact("tie", "tie", "tied-mixture", strips.tie), *contacts),
         curves=(curve(1, (0, 0), (1, 1)),),

@@ -75,7 +75,7 @@ def soft_bonds(joint: Joint) -> Iterator[Finding]:
         yield error(
             "soft-bonds",
             joint.contact.tag if tag is None else tag,
-            f"bonds have a penalty of {short(own)}, and soften only with more than strength^2/(2 energy): {short(needed)}",
+            f"bonds have a penalty of {short(own)}, and soften only above {short(needed)}, strength^2/(2 energy)",
             f"Set <penalty> to {short(20.0 * needed)} and <auto_penalty> to 0, or a smaller <max_traction>.",
         )
 
