@@ -22,6 +22,8 @@ from studies.models.small import contact
 PREFLIGHT = REPOSITORY / "scripts" / "harness" / "preflight"
 CONTACT = re.compile(r"<contact( [^>]*?)/?>(?:.*?</contact>)?", re.DOTALL)
 
+BONDS = "<max_traction>1</max_traction><fracture_energy>0.05</fracture_energy>"
+
 
 def diffusion(interface=InterfaceType.MIXTURE, settings=None, **more):
     return Diffusion(interface, settings, elements=5, **more).model()
@@ -156,6 +158,12 @@ FAULTS = {
         "rigid-primary",
         "more conditions",
     ),
+    "bonds that would break before they soften": (
+        lambda: joint(f"{BONDS}<penalty>2</penalty>").text(),
+        "soft-bonds",
+        "strength^2/(2 energy)",
+    ),
+    "facets that are long for bonds": (lambda: joint(BONDS).text(), "cohesive-zone", "jump from node to node"),
     "a joint that is tied twice": (tied_twice, "held-twice", "another tie"),
     "facing into the body": (turned, "inverted-facets", "into the body"),
     "on the far side": (far_side, "facing", "same way"),

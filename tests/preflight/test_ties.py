@@ -97,6 +97,38 @@ def test_linear_solvers_that_may_fail_are_a_warning(path, solver, params, rules)
     assert [finding.rule for finding in check(path)] == rules
 
 
+WEAK, TOUGH = "<max_traction>0.08</max_traction>", "<fracture_energy>0.05</fracture_energy>"
+SOFT = "<max_traction>1</max_traction><fracture_energy>0.01</fracture_energy>"
+
+
+@pytest.mark.parametrize(
+    ("params", "rules"),
+    [
+        (WEAK + TOUGH, []),
+        ("<max_traction>10</max_traction>", []),
+        ("<max_traction>1</max_traction>" + TOUGH, ["cohesive-zone"]),
+        (f"{WEAK}<max_shear>1</max_shear>{TOUGH}", ["cohesive-zone"]),
+        (f"{SOFT}<penalty>49</penalty>", ["soft-bonds", "cohesive-zone"]),
+        (f"{SOFT}<penalty>51</penalty>", ["cohesive-zone"]),
+        (f"{SOFT}<penalty>40</penalty><auto_penalty>1</auto_penalty>", ["soft-bonds", "cohesive-zone"]),
+        (f"{SOFT}<penalty>60</penalty><auto_penalty>1</auto_penalty>", ["cohesive-zone"]),
+        ("<max_traction>1</max_traction><fracture_energy>0.009</fracture_energy>", ["soft-bonds", "cohesive-zone"]),
+    ],
+)
+def test_bonds_that_cannot_soften_or_in_too_few_facets_are_named(path, params, rules):
+    assert [rule for _, rule in found(path, joint(params))] == rules
+
+
+@pytest.mark.parametrize(("strength", "modulus"), [(0.3, 1.0), (1.0, 0.1)])
+def test_the_zone_is_the_shorter_of_those_of_a_thick_body_and_of_a_layer(path, strength, modulus):
+    params = f"<max_traction>{strength}</max_traction>{TOUGH}<penalty>1e3</penalty>"
+    document = replace(joint(params), materials=(elastic("low", 1, modulus), elastic("up", 2, modulus)))
+    assert found(path, document) == [(Severity.WARNING, "cohesive-zone")]
+    thick = modulus * 0.05 / strength**2
+    thin = (thick / 6.0) ** 0.25
+    assert f"about {min(thick, thin):.2g}," in check(path)[0].message
+
+
 # ---- convert ----
 
 

@@ -1,5 +1,6 @@
 #include "tie/bond_iterations.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace mixture_contact {
@@ -14,26 +15,23 @@ IndexedVector<BondIterations::Phase> BondIterations::phases_of(const Tie& tie, c
   return phases;
 }
 
-void BondIterations::compare(const IndexedVector<Phase>& phases, const Matrix3Xd& gaps) {
-  const double move = (gaps - gaps_).norm();
-  contractions_ = move < contraction * move_ ? contractions_ + 1 : 0;
-  move_ = move;
-  if (contractions_ >= enough_contractions) softening_ = Softening::exact;
-  for (Index n = 0; n < phases.count(); ++n) {
-    if (phases[n] == phases_[n]) continue;
-    contractions_ = 0;
-    if (++changes_[n] > most_phase_changes) softening_ = Softening::yielding;
-  }
+double BondIterations::next_softening(double quotient) const {
+  const double rho = quotient / (1 - before_ + quotient * softening_);
+  const double missing = 0.5 * (1 - softening_);
+  return rho > 1 ? std::max(0.0, 1 / rho - missing) : 1 - missing;
 }
 
 void BondIterations::begin(const Tie& tie, const PerSide<SurfaceFields>& fields) {
   if (!std::holds_alternative<Cohesive>(tie.breaking())) return;
   const TieLoads loads = tie.loads(fields);
   IndexedVector<Phase> phases = phases_of(tie, loads);
-  if (phases_.empty()) {
-    changes_.assign(phases.size(), 0);
-  } else {
-    compare(phases, loads.gap);
+  if (!phases_.empty()) {
+    const double last = std::exchange(move_, (loads.gap - gaps_).norm());
+    const bool is_quiet = std::equal(phases.begin(), phases.end(), phases_.begin());
+    quiet_ = is_quiet ? quiet_ + 1 : 0;
+    // The move before the first quiet one was of other phases.
+    const double next = quiet_ < 2 ? 0.0 : next_softening(move_ / last);
+    before_ = std::exchange(softening_, next);
   }
   phases_ = std::move(phases);
   gaps_ = loads.gap;

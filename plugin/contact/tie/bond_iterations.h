@@ -1,46 +1,45 @@
-/// Detects oscillating bonds of a cohesive tie during the iterations of a step, and selects the derivative for them.
+/// The part of softening that the derivative of cohesive bonds includes in each iteration of a step.
 #pragma once
 
 #include "tie/tie.h"
 
+#include <limits>
+
 namespace mixture_contact {
 
-/// How often a bond may change its phase (see Phase) in a step before the iterations count as oscillating. A bond
-/// normally changes twice, when its damage begins to grow and when it fails, and may do one of these too early. The
-/// number is a choice.
-inline constexpr int most_phase_changes = 3;
-/// Number of successive contracting iterations after which the exact derivative is used again. The number is a choice.
-inline constexpr int enough_contractions = 2;
-/// An iteration contracts if the gap vectors change by less than this fraction of their previous change.
-inline constexpr double contraction = 0.9;
-
-/// Selects the derivative that the next iteration uses for bonds whose damage grows.
+/// Selects the part s of softening for each iteration of a step.
 ///
-/// If softening exceeds the stiffness of the bodies, for example when a crack advances abruptly, Newton's method may
-/// alternate for ever between two states. This class counts the changes of each bond between constant damage, growing
-/// damage and failure. As soon as one bond oscillates, it selects Softening::yielding, with which iterations pass the
-/// unstable states, and returns to Softening::exact when the iterations contract.
+/// Newton's method leads away from the solutions of a step if bonds soften by more than the bodies around them are
+/// stiff, as happens when a crack proceeds from one node to the next. Bonds that soften therefore yield at first
+/// (s = 0): iterations then reduce the energy, by small moves.
+///
+/// Let rho be the quotient of softening and the remaining stiffness in the mode that dominates. The moves of iterations
+/// with the parts s_1 and s_2 have the quotient q = rho (1 - s_1)/(1 - rho s_2), which gives rho as long as no bond
+/// changes its phase. s halves its distance from 1, so that iterations converge faster and faster to a solution. If
+/// rho > 1, there is no solution in these phases: s is such that moves double, until they lead to other phases. Once a
+/// bond changes its phase, s is zero again.
 class BondIterations {
  public:
   /// Begins an iteration at the state whose tangent is computed next. It has no effect on a tie that is not cohesive.
   void begin(const Tie& tie, const PerSide<SurfaceFields>& fields);
-  /// The kind of derivative to use for bonds whose damage grows.
-  Softening softening() const { return softening_; }
+  /// The part of softening that the next derivative includes, between 0 and 1.
+  double softening() const { return softening_; }
 
  private:
   /// Whether the damage of a bond grows from the last accepted state to the present one, or has reached 1.
   enum class Phase { constant, growing, failed };
   /// The phases of all tied nodes.
   static IndexedVector<Phase> phases_of(const Tie& tie, const TieLoads& loads);
-  /// Compares phases and gap vectors with those at the start of the previous iteration.
-  void compare(const IndexedVector<Phase>& phases, const Matrix3Xd& gaps);
+  /// The part of softening after a move in which no bond has changed its phase. `quotient`: the size of this move over
+  /// that of the move before it.
+  double next_softening(double quotient) const;
 
   IndexedVector<Phase> phases_;  ///< per tied node, at the start of the previous iteration; empty before the first
-  IndexedVector<int> changes_;   ///< per tied node, number of phase changes
   Matrix3Xd gaps_;               ///< gap vectors at the start of the previous iteration [mm]
-  double move_ = 0;              ///< norm of the gap vectors' change in the previous iteration [mm]
-  int contractions_ = 0;         ///< number of successive contracting iterations without a change of phase
-  Softening softening_ = Softening::exact;
+  double move_ = std::numeric_limits<double>::infinity();  ///< norm of the gap vectors' change in that iteration [mm]
+  int quiet_ = 0;                                          ///< successive iterations without a change of phase
+  double softening_ = 0;                                   ///< s of the last iteration
+  double before_ = 0;                                      ///< s of the iteration before it
 };
 
 }  // namespace mixture_contact

@@ -49,13 +49,14 @@ BondLoad bond(const Tie& tie, Index n, const Vector3d& gap, const FacingPosition
 }
 
 /// The derivative of a bond's loads with its gap vector and its normal.
-BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads,
-                         Softening softening) {
+BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, double softening) {
   const Vector3d gap = loads.gap.col(n);
   const double damage = loads.damage[n];
   const bool grows = damage > tie.state().damage.damage[n] && damage < 1;
-  if (!grows || softening == Softening::exact) return bond(tie, n, gap, x).derivative;
-  return yielding_derivative(tie.traction_penalty(n), damage, gap, normal_of(tie.nodes()[n], x));
+  const BondHessian exact = bond(tie, n, gap, x).derivative;
+  if (!grows || softening == 1) return exact;
+  const BondHessian yielding = yielding_derivative(tie.traction_penalty(n), damage, gap, normal_of(tie.nodes()[n], x));
+  return yielding + softening * (exact - yielding);
 }
 
 VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads) {
@@ -76,7 +77,7 @@ VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, co
 }
 
 /// The second derivative of a node's energy per area with the nodal positions.
-MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) {
+MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, double softening) {
   const TiedNode& tied = tie.nodes()[n];
   const Matrix3Xd variation = gap_variation(tied, x);
   MatrixXd stiffness;
@@ -213,7 +214,7 @@ VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   return residual;
 }
 
-MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const {
+MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, double softening) const {
   const LocalLayout layout = patch(n).layout();
   const Index own = 3 * layout.nodes();
   const double area = nodes_[n].traction.area;
@@ -261,7 +262,7 @@ void Tie::residual(const PerSide<SurfaceFields>& fields, double dt, const AddRes
       add);
 }
 
-void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const {
+void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, double softening, const AddTangent& add) const {
   const TieLoads now = loads(fields);
   const FacingPositions x = positions_of(fields);
   for_each_part<MatrixXd>(

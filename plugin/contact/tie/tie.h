@@ -43,9 +43,6 @@ inline constexpr double default_cohesive_factor = 50;
 /// smaller penalties.
 inline constexpr double largest_tie_factor = 1e8;
 
-/// The derivative that an iteration uses for a bond whose damage grows: the exact derivative, or yielding_derivative().
-enum class Softening { exact, yielding };
-
 /// A tie of two surfaces with its multipliers and damage. It computes loads, residual and tangent of the tied nodes.
 class Tie {
  public:
@@ -85,8 +82,10 @@ class Tie {
   /// Calls `add` with the residual R of each node: forces -A_a W_aj t_a, flows times dt, and -A_a k D_a for unknown
   /// multipliers.
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
-  /// Calls `add` with the tangent dR/du of each node.
-  void tangent(const PerSide<SurfaceFields>& fields, double dt, Softening softening, const AddTangent& add) const;
+  /// Calls `add` with the tangent dR/du of each node. `softening`: the part of the softening of growing damage that the
+  /// tangent includes. With 1, it is the true derivative; with 0, bonds with growing damage yield
+  /// (yielding_derivative()).
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, double softening, const AddTangent& add) const;
 
   /// The errors of a solution in the conditions of the tie, relative to the loads (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
@@ -110,7 +109,7 @@ class Tie {
  private:
   double flux_penalty(Index n, int field) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
-  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, Softening softening) const;
+  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, double softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
   /// Calls use(patch, make(node, field)) for the traction (field -1) and the fluxes of all nodes in order. `make` runs
   /// on several threads.

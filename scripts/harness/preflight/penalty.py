@@ -64,7 +64,7 @@ def _largest(joint: Joint, tag: Element) -> float:
 
 def in_series(joint: Joint, field: Field) -> float:
     """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/conditions/penalty.cpp."""
-    one, two = _mean(joint.primary.conductances(field)), _harmonic_mean(joint.secondary.conductances(field))
+    one, two = _mean(joint.primary.conductances(field)), harmonic_mean(joint.secondary.conductances(field))
     if math.isinf(one) or math.isinf(two):
         return 2.0 * min(one, two)
     return 2.0 * one * two / (one + two) if one + two > 0.0 else math.nan
@@ -91,7 +91,8 @@ def _mean(values: NDArray[np.float64]) -> float:
     return float(values.mean()) if len(values) else math.nan
 
 
-def _harmonic_mean(values: NDArray[np.float64]) -> float:
+def harmonic_mean(values: NDArray[np.float64]) -> float:
+    """Of the positive values; infinite ones are no resistance. NaN without any."""
     positive = values[values > 0.0]
     if not len(positive):
         return math.nan

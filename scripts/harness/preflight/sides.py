@@ -173,6 +173,11 @@ class Side:
         own = self._elements_with(field)
         return self._depth(own) * self._mean_resistivity(field, own)
 
+    @cached_property
+    def depth(self) -> float:
+        """Depth of the deformable part of the body behind the surface, mm."""
+        return self._depth(self._elements_with(TRACTION))
+
     def _elements_with(self, field: Field) -> NDArray[np.bool_]:
         """Volume elements of the surface's bodies whose property is neither zero nor infinite, shape (n_elements,)."""
         faces, bodies = self.model.mesh.faces, self.model.mesh.bodies

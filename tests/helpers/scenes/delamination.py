@@ -1,11 +1,11 @@
-"""Strips that come apart: a double cantilever beam.
+"""Strips that come apart: a double cantilever beam, an end-notched flexure, a strip that is peeled off.
 
 Plane strain with a Poisson's ratio of 0, one element wide. Strips lie along x and part along z = 0.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ from studies.models.small import Document, Parts, contact, control, curve, elast
 
 Array = NDArray[np.float64]
 ALL = "all-nodes"
+MOST_MATRICES = 150
+"""In a step: a crack that jumps over several nodes takes some iterations for each."""
 
 
 @dataclass(frozen=True)
@@ -25,13 +27,16 @@ class Strips:
     Attributes
     ----------
     cells : int
-        Elements across the thickness of a strip, and as many over the same length along it.
+        Elements across the thickness of a strip.
+    finer : int
+        Elements along a strip over a length in which as many as one would be cubes.
     length, crack, thickness : float
         Of each strip, mm; the crack begins at x = 0.
     modulus, strength, energy : float
         Young's modulus and strength of bonds, MPa, and the energy that breaks them, N/mm; the same in both modes.
     opening : float
-        Largest distance that the ends move apart, mm.
+        Largest distance that the ends move apart, or that a flexure is pressed down; length at last of the free part
+        of a strip that is peeled; mm.
     steps : int
         Equal time steps.
     more : str
@@ -39,6 +44,7 @@ class Strips:
     """
 
     cells: int = 4
+    finer: int = 1
     length: float = 14.0
     crack: float = 6.0
     thickness: float = 1.0
@@ -57,7 +63,12 @@ class Strips:
     @property
     def along(self) -> int:
         """Elements along a strip."""
-        return round(self.length * self.cells / self.thickness)
+        return round(self.length * self.cells * self.finer / self.thickness)
+
+    @property
+    def element(self) -> float:
+        """Volume of an element, mm^3."""
+        return self.length / self.along * self.width * self.thickness / self.cells
 
     @property
     def tie(self) -> str:
@@ -75,22 +86,23 @@ def two_strips(strips: Strips) -> Parts:
     for name, side in (("up", "bottom"), ("low", "top")):
         middle = {f: np.mean([parts.nodes[n - 1][0] for n in f]) for f in parts.surfaces[f"{name}-{side}"]}
         parts.surfaces[f"{name}-tied"] = [f for f, x in middle.items() if x > strips.crack]
+        parts.surfaces[f"{name}-crack"] = [f for f, x in middle.items() if x < strips.crack]
     parts.node_sets[ALL] = list(range(1, len(parts.nodes) + 1))
     return parts
 
 
-def document(strips: Strips, parts: Parts, boundary: list[str]) -> Document:
+def document(strips: Strips, parts: Parts, boundary: list[str], *contacts: str) -> Document:
     """A model of strips whose ends follow the first load curve, from 0 to 1."""
     inner = control("solid", strips.steps, 1 / strips.steps, retries=8)
     tolerances = EXACTLY.split("<ptol>", maxsplit=1)[0].replace("1e-12", "1e-8").replace("1e-9", "1e-6")
     return Document(
-        parts.mesh({"tie": ("up-tied", "low-tied")}),
+        parts.mesh({"tie": ("up-tied", "low-tied"), "crack": ("up-crack", "low-crack")}),
         tuple(elastic(name, n, strips.modulus) for n, name in enumerate(("low", "up"), 1)),
-        control=inner.replace("<max_refs>", f"{tolerances}<lstol>0</lstol><max_refs>"),
+        control=inner.replace("<max_refs>25<", f"{tolerances}<lstol>0</lstol><max_refs>{MOST_MATRICES}<"),
         boundary=[fixed(ALL, "y"), *boundary],
-        contacts=(contact("tie", "tie", "tied-mixture", strips.tie),),
+        contacts=(contact("tie", "tie", "tied-mixture", strips.tie), *contacts),
         curves=(curve(1, (0, 0), (1, 1)),),
-        node_data="uz",
+        node_data="Rx;Rz",
         surface_data={"up-tied": f"{BONDS};viscous energy"},
     )
 
@@ -100,6 +112,53 @@ def double_cantilever_beam(strips: Strips) -> Document:
     parts = two_strips(strips)
     ends = [moved("up-left", "z", 0.5 * strips.opening), moved("low-left", "z", -0.5 * strips.opening)]
     return document(strips, parts, [fixed("low-right", "x"), *ends])
+
+
+WHOLE = (0.2, 0.85)
+"""The part of the time, and of the way, in which a flexure bends before its crack runs."""
+
+
+def end_notched_flexure(strips: Strips) -> Document:
+    """Strips on supports at both ends that are pressed down in the middle: the crack slides, and is pressed."""
+    parts = two_strips(strips)
+    place = np.array(parts.nodes)
+    h = strips.thickness
+    for name, x, z in (("left", 0.0, -h), ("right", strips.length, -h), ("middle", 0.5 * strips.length, h)):
+        here = np.abs(place[:, [0, 2]] - (x, z)).max(axis=1) < 1e-9
+        parts.node_sets[name] = [int(n) + 1 for n in np.flatnonzero(here)]
+    held = [fixed("left", "z"), fixed("right", "x", "z"), moved("middle", "z", -strips.opening)]
+    pressed = document(strips, parts, held, contact("crack", "crack", "sliding-mixture"))
+    return replace(pressed, curves=(curve(1, (0, 0), WHOLE, (1, 1)),))
+
+
+TURNED = 0.4
+"""The part of the time in which the free part of a strip that is peeled is turned up."""
+
+
+def path_of_peeling(strips: Strips, angle: float) -> Array:
+    """Time and displacements along x and z of the end of a strip, whose crack runs until the free part is `opening`.
+
+    The free part is turned up about the tip of the crack. Its end then goes along the straight line that keeps the
+    angle between it and the bonds.
+    """
+    turn = np.linspace(0, angle, 13)
+    arc = strips.crack * np.array([1 - np.cos(turn), np.sin(turn)]).T
+    line = strips.opening * np.array([[1 - np.cos(angle), np.sin(angle)]])
+    times = np.append(TURNED * np.linspace(0, 1, len(turn)), 1.0)
+    return np.column_stack([times, np.vstack([arc, line])])
+
+
+def peeled(strips: Strips, angle: float) -> Document:
+    """A strip that is peeled off another one, which is held, at an angle."""
+    parts = two_strips(strips)
+    place = np.array(parts.nodes)
+    here = np.abs(place[:, [0, 2]] - (0.0, 0.5 * strips.thickness)).max(axis=1) < 1e-9
+    parts.node_sets["end"] = [int(n) + 1 for n in np.flatnonzero(here)]
+    parts.node_sets["held"] = sorted({n for ids in parts.parts[0].elements for n in ids})
+    path = path_of_peeling(strips, angle)
+    ends = [moved("end", "x", 1.0, 1), moved("end", "z", 1.0, 2)]
+    curves = tuple(curve(n, *path[:, [0, n]].tolist()) for n in (1, 2))
+    return replace(document(strips, parts, [fixed("held", "x", "z"), *ends]), curves=curves)
 
 
 def with_energy(text: str) -> str:

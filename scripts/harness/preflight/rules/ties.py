@@ -12,7 +12,7 @@ from harness.preflight import rays
 from harness.preflight.contact_types import STICKY, TIED
 from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
-from harness.preflight.rules import settings, surfaces
+from harness.preflight.rules import cohesive, settings, surfaces
 from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
 from harness.preflight.tied_types import ANY_DISTANCE
@@ -184,5 +184,5 @@ ON_SURFACES = (
     surfaces.inverted_facets,
     joined_facets,
 )
-ON_PHYSICS = (untied, held_nodes, rigid_primary)
+ON_PHYSICS = (untied, held_nodes, rigid_primary, *cohesive.RULES)
 """Rules that need surfaces in order and numbers as values."""

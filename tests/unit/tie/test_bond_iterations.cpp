@@ -1,0 +1,70 @@
+/// Iterations of bonds that soften reach a solution, wherever the softening leads.
+#include "contact/tie/bond_iterations.h"
+#include "contact/tie/damage.h"
+
+#include "tied_scene.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace test;
+
+namespace {
+
+const Cohesive law{{{0.01, 0.01}, 2}, {0.002, 0.002}};
+constexpr double onset = 0.005;  // strength over the penalty of the scene
+constexpr double failure = 0.4;  // 2 energy/strength
+constexpr double softening = 0.01 / (failure - onset);
+constexpr double tolerance = 1e-10;  // of tractions
+constexpr int most_iterations = 60;
+
+/// Bonds that springs draw apart, all by the same opening.
+struct Drawn {
+  TiedScene tied{FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {1, 1}, law};
+  Eigen::RowVectorXd start = tied.scene.fields[Side::secondary].position.row(2);
+  double spring = 0;
+  double drawn = 0;  ///< of the other ends of the springs
+
+  double traction(double opening) {
+    tied.scene.fields[Side::secondary].position.row(2) = start.array() + opening;
+    return tied.tie->loads(tied.scene.fields).traction(2, 0);
+  }
+
+  /// The opening at which iterations end; NaN if they do not.
+  double solution() {
+    BondIterations iterations;
+    double opening = 0;
+    for (int n = 0; n < most_iterations; ++n) {
+      const double missing = spring * (drawn - opening) - traction(opening);
+      if (std::abs(missing) < tolerance) return opening;
+      iterations.begin(*tied.tie, tied.scene.fields);
+      const bool grows = opening > onset && opening < failure;
+      const double bond = opening <= onset ? 2 : grows ? -iterations.softening() * softening : 0;
+      opening += missing / (spring + bond);
+    }
+    return std::nan("");
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(iterations_reach_the_solution_of_springs_that_are_stiffer_than_bonds_soften) {
+  for (const double stiffness : {4.0, 1.2, 1.001}) {
+    Drawn scene;
+    scene.spring = stiffness * softening;
+    const double opening = 0.5 * (onset + failure);
+    scene.drawn = opening + 0.005 / scene.spring;
+    BOOST_TEST(scene.solution() == opening, boost::test_tools::tolerance(1e-3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(iterations_break_bonds_that_soften_more_than_springs_are_stiff) {
+  for (const double stiffness : {0.999, 0.8, 0.1}) {
+    Drawn scene;
+    scene.spring = stiffness * softening;
+    // Beyond the largest load that a solution has: bonds that begin to soften bear less than the springs draw.
+    scene.drawn = onset + 1.01 * 0.01 / scene.spring;
+    BOOST_TEST(scene.solution() == scene.drawn, boost::test_tools::tolerance(1e-9));
+  }
+}
