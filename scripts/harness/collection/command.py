@@ -14,6 +14,7 @@ from harness.errors import HarnessError
 from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.knee.bearing import Load
+from harness.models.knee.tissues import TISSUES, Bodies
 from harness.models.knee.whole_knee import Knee
 from harness.models.knee.whole_mesh import Size
 from harness.paths import MODELS
@@ -38,6 +39,7 @@ def models(
     ctx: typer.Context,
     family: Annotated[Family | None, typer.Argument(help="Write a model of this family, not the collection.")] = None,
     size: Annotated[Size, typer.Option(help="Make the mesh of the knee this fine.")] = Size.SMALL,
+    bodies: Annotated[Bodies, typer.Option(help="Make cartilage and menisci of this kind.")] = Bodies.ELASTIC,
     load: Annotated[Load, typer.Option(help="Load the knee by 700 N, or by one cycle of gait.")] = Load.STANCE,
     contact: Annotated[Whose, typer.Option(help="Take the plugin's contact or FEBio's in the knee.")] = Whose.MIXTURE,
     friction: Annotated[float, typer.Option(min=0.0, help="Give all contacts of the knee this coefficient.")] = 0.0,
@@ -54,11 +56,13 @@ def models(
         return
     if output is None or output.suffix != ".feb":
         raise typer.BadParameter(f"`models {family.value}` needs a file that ends in .feb", param_hint="--output")
-    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else InterfaceType.ELASTIC
-    _write(Knee(interface, size, load, friction, name=output.stem).model(), output)
+    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else TISSUES[bodies].theirs
+    if friction and interface is InterfaceType.SOLUTE:
+        raise typer.BadParameter(f"FEBio's {interface.value} has no friction", param_hint="--friction")
+    _write(Knee(interface, size, load, friction, name=output.stem, bodies=bodies).model(), output)
 
 
-_OF_KNEE, _OF_COLLECTION = ("size", "load", "contact", "friction", "output"), ("folder", "check")
+_OF_KNEE, _OF_COLLECTION = ("size", "bodies", "load", "contact", "friction", "output"), ("folder", "check")
 """Options."""
 
 

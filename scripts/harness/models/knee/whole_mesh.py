@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from enum import Enum
+from itertools import repeat
 
 import numpy as np
 
-from harness.models.knee import structured_blocks
+from harness.models.knee import anatomy, structured_blocks
 from harness.models.knee.anatomy import COMPARTMENTS, Compartment
-from harness.models.knee.structured_blocks import Block, Divisions
+from harness.models.knee.structured_blocks import Block, Divisions, Fit
 from harness.models.mesh import Ids, Mesh, Part
 from harness.models.springs import Springs
 
@@ -30,25 +32,34 @@ class Size(str, Enum):
     """About 300 000 equations."""
 
 
-DIVISIONS: Mapping[Size, Divisions] = {
+DIVISIONS = {
     Size.COARSE: Divisions((3, 12, 1), (12, 16, 1), (28, 3, 1)),
     Size.SMALL: Divisions((4, 16, 3), (16, 22, 3), (46, 5, 3)),
     Size.MEDIUM: Divisions((6, 28, 5), (28, 36, 5), (74, 8, 5)),
     Size.LARGE: Divisions((9, 40, 7), (40, 54, 7), (112, 12, 7)),
 }
+_POROUS_COARSE = replace(DIVISIONS[Size.COARSE], condyle=(3, 12, 3), plateau=(12, 16, 3))
+POROUS_DIVISIONS: Mapping[Size, Divisions] = {
+    size: replace(divisions, depths=structured_blocks.graded)
+    for size, divisions in (DIVISIONS | {Size.COARSE: _POROUS_COARSE}).items()
+}
+"""Those of porous bodies: at least three layers, thinner towards surface and bone, where the fluid pressure bends."""
 HORN_STIFFNESS = 2000.0
 """N/mm of all springs of a horn together: Haut Donahue et al. (2002), J Biomech Eng 124:273."""
 REACH = 8.0
 """How far from a horn, along x and y, its springs end in the bone, mm."""
 FEMORAL, TIBIAL, MENISCAL = "femoral-cartilage", "tibial-cartilage", "meniscus"
 FEMUR, TIBIA = "femur", "tibia"
+POROUS, BATH = "porous", "bath"
+"""Node sets of porous bodies: all their nodes, and those in the synovial fluid that no contact has."""
 
 
-def meshed(size: Size) -> tuple[Mesh, tuple[Springs, ...]]:
-    """The knee's mesh and the springs of its horns."""
-    divisions = DIVISIONS[size]
-    makers = (structured_blocks.femur, structured_blocks.tibia, structured_blocks.meniscus)
-    blocks = structured_blocks.numbered([make(side, divisions) for side in COMPARTMENTS for make in makers])
+def meshed(size: Size, *, porous: bool = False) -> tuple[Mesh, tuple[Springs, ...], float]:
+    """The knee's mesh, the springs of its horns, and the height of the axis of flexion, mm."""
+    divisions = POROUS_DIVISIONS[size] if porous else DIVISIONS[size]
+    fits = [structured_blocks.touching(side, divisions) if porous else Fit(divisions.seat) for side in COMPARTMENTS]
+    sides = [structured_blocks.compartment(*each) for each in zip(COMPARTMENTS, repeat(divisions), fits, strict=False)]
+    blocks = structured_blocks.numbered(sides[0] + sides[1])
     parts: list[Part] = []
     surfaces: dict[str, Ids] = {}
     pairs: dict[str, tuple[str, str]] = {}
@@ -61,7 +72,13 @@ def meshed(size: Size) -> tuple[Mesh, tuple[Springs, ...]]:
         springs += [_horn(side, meniscus, tibia, end) for end in (0, -1)]
     nodes = np.concatenate([block.points.reshape(-1, 3) for block in blocks])
     sets = {"all": np.arange(1, len(nodes) + 1, dtype=np.int64)}
-    return Mesh(nodes, tuple(parts), sets, surfaces, pairs), tuple(springs)
+    if porous:
+        sets |= {
+            POROUS: np.concatenate([block.nodes[:, :, block.bone :].ravel() for block in blocks]),
+            BATH: np.concatenate([block.sides for block in blocks]),
+        }
+    axis = anatomy.SAGITTAL - fits[0].seat
+    return Mesh(nodes, tuple(parts), sets, surfaces, pairs), tuple(springs), axis
 
 
 def _parts(side: Compartment, femur: Block, tibia: Block, meniscus: Block) -> list[Part]:
