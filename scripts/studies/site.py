@@ -46,7 +46,7 @@ EVIDENCE = (
     run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
-    knees.PAGE,
+    *knees.PAGES,
     predictor.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""

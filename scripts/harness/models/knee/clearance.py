@@ -39,7 +39,8 @@ def _points(facets: Array) -> Array:
 
 def _heights(facets: Array, points: Array) -> Array:
     """Height of a surface at the x and y of points; NaN beside the surface."""
-    _, nearest = cKDTree(facets[:, :, :2].mean(axis=1)).query(points[:, :2], k=_NEAREST)
+    number = min(_NEAREST, len(facets))
+    _, nearest = cKDTree(facets[:, :, :2].mean(axis=1)).query(points[:, :2], k=range(1, number + 1))
     found = np.full(len(points), np.nan)
     for candidates in np.asarray(nearest).T:
         missing = np.flatnonzero(np.isnan(found))

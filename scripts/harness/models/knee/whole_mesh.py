@@ -38,7 +38,7 @@ DIVISIONS = {
     Size.MEDIUM: Divisions((6, 28, 5), (28, 36, 5), (74, 8, 5)),
     Size.LARGE: Divisions((9, 40, 7), (40, 54, 7), (112, 12, 7)),
 }
-_POROUS_COARSE = replace(DIVISIONS[Size.COARSE], condyle=(3, 12, 3), plateau=(12, 16, 3))
+_POROUS_COARSE = Divisions((3, 12, 3), (12, 16, 3), (28, 3, 3))
 POROUS_DIVISIONS: Mapping[Size, Divisions] = {
     size: replace(divisions, depths=structured_blocks.graded)
     for size, divisions in (DIVISIONS | {Size.COARSE: _POROUS_COARSE}).items()
