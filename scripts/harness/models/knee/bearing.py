@@ -23,6 +23,10 @@ BODY_WEIGHT = STANCE / 1.07
 """N."""
 RISE, HOLD = 0.2, 100.0
 """s in which the load of stance rises, and to which porous bodies bear it."""
+GROWTH = (1.0, 0.4), (HOLD, 40.0)
+"""Largest steps of what is held, s, at a time."""
+SOFT = 1e-6
+"""Factor of the stiffness of stands from the end of the rise on: FEBio refuses none."""
 SMOOTH = "SMOOTH STEP"
 """FEBio's interpolation with level tangents at all points."""
 GAIT_FORCE = ((0.0, 0.0), (0.15, 2.15), (0.32, 1.2), (0.5, 2.61), (0.65, 0.25), (1.0, 0.25))
@@ -55,6 +59,8 @@ class Loading:
     flexion : Curve, optional
         rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one
         rotation is given and another one free.
+    softening : Curve, optional
+        Factor of the stiffness of stands that hold the femur at first.
     about : str
         The load in a sentence.
     """
@@ -63,13 +69,14 @@ class Loading:
     largest_step: tuple[tuple[float, float], ...]
     force: Curve
     flexion: Curve | None = None
+    softening: Curve | None = None
     about: str = ""
 
     @property
     def curves(self) -> tuple[Curve, ...]:
         """Load curves in the order of their numbers."""
-        first = (self.force, Curve(self.largest_step))
-        return first if self.flexion is None else (*first, self.flexion)
+        curves = (self.force, Curve(self.largest_step), self.flexion, self.softening)
+        return tuple(curve for curve in curves if curve is not None)
 
     def conditions(self) -> tuple[Condition, ...]:
         """The tibia is held; the femur moves up and down, and bends or tilts."""
@@ -85,11 +92,20 @@ class Loading:
         return Control(1, self.largest_step[0][1], reformations=25, stepper=stepper, end=self.end)
 
 
-def loading(load: Load, *, held: bool) -> Loading:
-    """A load by its name, that of stance held where bodies change under it."""
-    if load is Load.GAIT:
-        return gait()
-    return long_stance() if held else stance()
+def loading(load: Load) -> Loading:
+    """A load by its name."""
+    return gait() if load is Load.GAIT else stance()
+
+
+def porous(load: Load) -> Loading:
+    """The same of porous bodies: stance is held, and stands hold the femur until the load has risen.
+
+    Bodies that touch at a point hardly resist, and undrained ones bear no overlap: without stands, the first iteration
+    inverts elements.
+    """
+    rising = loading(load)
+    held = replace(rising, softening=Curve(((0.0, 1.0), (RISE, SOFT))))
+    return held if load is Load.GAIT else _to_the_end(held)
 
 
 def stance() -> Loading:
@@ -99,12 +115,10 @@ def stance() -> Loading:
     return Loading(RISE, ((0.0, step), (RISE, step)), rising, about="A force of 700 N presses the femur down.")
 
 
-def long_stance() -> Loading:
-    """The same load held, with steps that grow with the time since its start."""
-    rise = stance()
-    held = (1.0, 0.2), (HOLD, 20.0)
+def _to_the_end(rising: Loading) -> Loading:
+    """A load that stays, with steps that grow with the time since its start."""
     about = f"A force of 700 N presses the femur down to {HOLD:g} s."
-    return replace(rise, end=HOLD, largest_step=(*rise.largest_step, *held), about=about)
+    return replace(rising, end=HOLD, largest_step=(*rising.largest_step, *GROWTH), about=about)
 
 
 def gait() -> Loading:
@@ -112,4 +126,4 @@ def gait() -> Loading:
     force = Curve(tuple((time, part * BODY_WEIGHT) for time, part in GAIT_FORCE), SMOOTH)
     flexion = Curve(tuple((time, float(np.deg2rad(angle))) for time, angle in GAIT_FLEXION), SMOOTH)
     steps, about = ((0.0, 0.02), (0.5, 0.02), (1.0, 0.02)), "Force and flexion go through one cycle of gait in 1 s."
-    return Loading(1.0, steps, force, flexion, about)
+    return Loading(1.0, steps, force, flexion, about=about)

@@ -125,8 +125,8 @@ class Block:
 
     @property
     def sides(self) -> Ids:
-        """Nodes of cartilage or meniscus on the other four faces, each once."""
-        nodes = self.nodes[:, :, self.bone :]
+        """Nodes of cartilage or meniscus on the other four faces, each once, without those of bone."""
+        nodes = self.nodes[:, :, self.bone + 1 if self.bone else 0 :]
         return np.unique(np.concatenate([nodes[[0, -1]].ravel(), nodes[:, [0, -1]].ravel()]))
 
     def _faces(self, layers: slice) -> Ids:

@@ -59,8 +59,9 @@ class Knee:
     def model(self) -> Model:
         """The model of these choices."""
         tissues = TISSUES[self.bodies]
-        made, horns, axis = whole_mesh.meshed(self.size, porous=tissues.porous)
-        loading = bearing.loading(self.load, held=tissues.porous)
+        made = whole_mesh.meshed(self.size, porous=tissues.porous)
+        loading = bearing.porous(self.load) if tissues.porous else bearing.loading(self.load)
+        stands = tuple(replace(stand, curve=len(loading.curves)) for stand in made.stands if loading.softening)
         given = self.settings or settings_of(self.contact, tissues)
         friction = (Param("fric_coeff", self.friction),) if self.friction else ()
         given = replace(given, extra=(*given.extra, *tissues.ambient, *friction))
@@ -68,14 +69,14 @@ class Knee:
             self.name,
             header(self.name, ABOUT.format(tissues=tissues.about, load=loading.about), self.contact),
             tissues.module,
-            made,
-            materials(tissues, (_across(), 0.0, axis)),
+            made.mesh,
+            materials(tissues, (_across(), 0.0, made.axis)),
             (*loading.conditions(), *tissues.conditions),
             loading.control(),
-            contacts(self.contact, made, given),
+            contacts(self.contact, made.mesh, given),
             loading.curves,
             plot=True,
-            springs=horns,
+            springs=(*made.horns, *stands),
             node_log=False,
             further_plot=("contact force",),
         )
