@@ -46,7 +46,7 @@ EVIDENCE = (
     run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
-    *knees.PAGES,
+    *(page for pages in knees.PAGES.values() for page in pages),
     predictor.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""

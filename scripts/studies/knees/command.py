@@ -14,13 +14,14 @@ from harness.paths import DOCS, RESULTS
 from harness.run.runner import Runner, RunResult
 from studies import files, stamps
 from studies.knees import page
-from studies.knees.knee_run import KneeRun
+from studies.knees.knee_run import Kind, KneeRun
 from studies.pages.evidence import DATA
 
 console = Console(highlight=False, soft_wrap=True)
 
 
 def knee(
+    kind: Annotated[Kind, typer.Option(help="Run knees of this kind.")] = Kind.ELASTIC,
     only: Annotated[str, typer.Option(help="Run the knees of whose name this is a part.")] = "",
     folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "knee",
     limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = page.LIMIT,
@@ -31,14 +32,14 @@ def knee(
     A run that is done is kept.
     """
     if docs and only:
-        raise typer.BadParameter("the documentation has all knees", param_hint="--only")
+        raise typer.BadParameter("the documentation has all knees of a kind", param_hint="--only")
     try:
         compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))
     except ImportError as error:
         raise HarnessError(f"`knee` needs pyfebio and PyVista, and Python 3.11 or newer ({error})") from error
     runner = Runner(folder / "runs", processor_limit=limit)
     done: list[tuple[KneeRun, RunResult]] = []
-    for model, factor in compared.knees(only):
+    for model, factor in compared.knees(kind, only):
         console.print(model.name)
         done.append(compared.run(model, factor, runner))
     found = [measured for measured, _ in done]
@@ -46,6 +47,6 @@ def knee(
     for path in figures.draw_all(done, DOCS / "images" if docs else folder):
         console.print(str(path))
     if docs:
-        files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
-        for each in page.PAGES:
+        files.write_csv(found, KneeRun, DATA / page.SOURCES[kind], stamps.stamp(limit))
+        for each in page.PAGES[kind]:
             (DOCS / each.name).write_text(each(), encoding="utf-8")

@@ -19,26 +19,30 @@ from harness.report.history import Contact
 from harness.report.plot_file import PlotFile, State
 from harness.run.runner import Runner, RunResult
 from studies.knees import solute_of_knee
-from studies.knees.knee_run import KneeRun
+from studies.knees.knee_run import Kind, KneeRun
 from studies.stamps import at_limit
 
 Array = NDArray[np.float64]
 
 FACTORS = (1.0, 10.0, 100.0)
 """Of FEBio's automatic penalties; 0 stands for the plugin's defaults."""
-SCENES = (
-    (Bodies.ELASTIC, Load.STANCE, Size.SMALL),
-    (Bodies.ELASTIC, Load.GAIT, Size.COARSE),
-    (Bodies.BIPHASIC, Load.STANCE, Size.SMALL),
-    (Bodies.BIPHASIC, Load.STANCE, Size.COARSE),
-    (Bodies.BIPHASIC, Load.GAIT, Size.COARSE),
-    (Bodies.SOLUTE, Load.STANCE, Size.COARSE),
-)
+SCENES = {
+    Kind.ELASTIC: (
+        (Bodies.ELASTIC, Load.STANCE, Size.SMALL),
+        (Bodies.ELASTIC, Load.GAIT, Size.COARSE),
+    ),
+    Kind.POROUS: (
+        (Bodies.BIPHASIC, Load.STANCE, Size.SMALL),
+        (Bodies.BIPHASIC, Load.STANCE, Size.COARSE),
+        (Bodies.BIPHASIC, Load.GAIT, Size.COARSE),
+        (Bodies.SOLUTE, Load.STANCE, Size.COARSE),
+    ),
+}
 
 
-def knees(only: str = "") -> list[tuple[Knee, float]]:
-    """The knees of whose name `only` is a part, with their factors of penalties; the plugin's first in each scene."""
-    made = [(_knee(*scene, factor), factor) for scene in SCENES for factor in (0.0, *FACTORS)]
+def knees(kind: Kind, only: str = "") -> list[tuple[Knee, float]]:
+    """The knees of whose name `only` is a part, with factors of their penalties; the plugin's first in each scene."""
+    made = [(_knee(*scene, factor), factor) for scene in SCENES[kind] for factor in (0.0, *FACTORS)]
     return [(knee, factor) for knee, factor in made if only in knee.name]
 
 

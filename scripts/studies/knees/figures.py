@@ -24,7 +24,7 @@ from studies.knees.knee_run import KneeRun
 Done = tuple[KneeRun, RunResult]
 FACTORS = (0.0, 10.0)
 """Of the penalties of the runs that are drawn: the plugin's defaults, and ten times FEBio's automatic penalties."""
-PICTURES = {"knee.png": ("elastic", "stance", "small"), "knee-biphasic.png": ("biphasic", "stance", "small")}
+PICTURES = {"knee.png": ("elastic", "stance", "small"), "porous-knee.png": ("biphasic", "stance", "small")}
 """Scenes by the names of their pictures."""
 _COLOURS = "turbo"
 _TISSUE = "#e6e1d6"

@@ -1,9 +1,17 @@
-"""A row of docs/data/knee.csv."""
+"""A row of docs/data/knee.csv or porous-knee.csv."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from enum import Enum
+
+
+class Kind(str, Enum):
+    """Knees that are measured in one go."""
+
+    ELASTIC = "elastic"
+    POROUS = "porous"
 
 
 @dataclass(frozen=True)

@@ -1,40 +1,46 @@
-"""The pages of the knee: docs/evidence/knee.md and docs/reference/knee-runs.md, from docs/data/knee.csv."""
+"""The pages of the knees, elastic and porous, and of their runs, from docs/data."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from harness.models.interface import InterfaceType
+from harness.models.knee.whole_mesh import Size
 from studies import files, tables
-from studies.knees.knee_run import KneeRun
+from studies.knees.knee_run import Kind, KneeRun
 from studies.pages.evidence import DATA, EvidencePage
 
 LIMIT = 900.0
 """s of processor time for one run."""
-SOURCE = "knee.csv"
+SOURCES = {Kind.ELASTIC: "knee.csv", Kind.POROUS: "porous-knee.csv"}
 _OURS = InterfaceType.MIXTURE.value
-_LIMITS = """\
-The sizes `medium` and `large` are not among these runs. The coarse mesh does not resolve the pressure. No conforming
-reference decides between the pressures."""
+_LIMITS = "The coarse mesh does not resolve the pressure. No conforming reference decides between the pressures."
 
 
-def figures() -> Mapping[str, str]:
-    """What the text of the page leaves open."""
-    runs = files.read_csv(DATA / SOURCE, KneeRun)
-    return {
-        "headline": headline(runs),
-        "compared": compared(runs),
-        "fluid": fluid(runs),
-        "limits": _LIMITS,
-    }
+def figures(kind: Kind) -> Mapping[str, str]:
+    """What the text of the page of a kind leaves open."""
+    runs = _runs(kind)
+    found = {"headline": headline(runs), "compared": compared(runs), "limits": limits(runs)}
+    return found if kind is Kind.ELASTIC else {**found, "fluid": fluid(runs)}
 
 
-def runs_of_table() -> Mapping[str, str]:
+def runs_of_table(kind: Kind) -> Mapping[str, str]:
     """The tables with a row for each run."""
-    runs = files.read_csv(DATA / SOURCE, KneeRun)
+    runs = _runs(kind)
     return {"runs": table(runs), "compartments": compartments(runs)}
+
+
+def _runs(kind: Kind) -> list[KneeRun]:
+    return files.read_csv(DATA / SOURCES[kind], KneeRun)
+
+
+def limits(runs: Sequence[KneeRun]) -> str:
+    """Which sizes were not run, and what the others do not show."""
+    missing = [f"`{size.value}`" for size in Size if size.value not in {run.size for run in runs}]
+    return f"No run has the sizes {', '.join(missing)}. {_LIMITS}"
 
 
 def headline(runs: Sequence[KneeRun]) -> str:
@@ -99,7 +105,7 @@ def _times(mine: KneeRun, other: KneeRun) -> tuple[str, ...]:
 
 
 def _scene(run: KneeRun) -> str:
-    return ", ".join(run.scene)
+    return ", ".join(run.scene[1 if run.bodies == Kind.ELASTIC.value else 0 :])
 
 
 def _name(run: KneeRun) -> tuple[str, str]:
@@ -138,6 +144,13 @@ def _passing(run: KneeRun) -> list[str]:
     return [", ".join(f"{value:{form}}" for value in values) for values, form in numbers]
 
 
-PAGE = EvidencePage("evidence/knee.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)
-RUNS = EvidencePage("reference/knee-runs.md", (SOURCE,), Path(__file__).with_name("runs.md"), runs_of_table)
-PAGES = (PAGE, RUNS)
+def _pages(kind: Kind, name: str) -> tuple[EvidencePage, EvidencePage]:
+    """The page of a kind, and that of its tables."""
+    sources, here = (SOURCES[kind],), Path(__file__).parent
+    return (
+        EvidencePage(f"evidence/{name}.md", sources, here / f"{name}.md", partial(figures, kind)),
+        EvidencePage(f"reference/{name}-runs.md", sources, here / f"{name}-runs.md", partial(runs_of_table, kind)),
+    )
+
+
+PAGES = {Kind.ELASTIC: _pages(Kind.ELASTIC, "knee"), Kind.POROUS: _pages(Kind.POROUS, "porous-knee")}
