@@ -24,8 +24,8 @@ from studies.knees.knee_run import KneeRun
 Done = tuple[KneeRun, RunResult]
 FACTORS = (0.0, 10.0)
 """Of the penalties of the runs that are drawn: the plugin's defaults, and ten times FEBio's automatic penalties."""
-PICTURES = {"knee.png": ("elastic", "stance", "small"), "porous-knee.png": ("biphasic", "stance", "small")}
-"""Scenes by the names of their pictures."""
+PICTURES = {"knee.png": ("elastic", "stance"), "porous-knee.png": ("biphasic", "stance")}
+"""Bodies and loads by the names of their pictures."""
 _COLOURS = "turbo"
 _TISSUE = "#e6e1d6"
 """Of what bears no pressure."""
@@ -36,12 +36,12 @@ _EYE, _FOCUS = (0.0, -75.0, 95.0), (0.0, 1.0, 0.0)
 
 
 def draw_all(done: Sequence[Done], folder: Path) -> list[Path]:
-    """Draw the scenes that have pictures; return the paths."""
+    """Draw the bodies and loads that have pictures, each in the size that comes first; return the paths."""
     drawn = []
-    for name, scene in PICTURES.items():
-        shown = [each for each in done if each[0].scene == scene and each[0].factor in FACTORS]
-        if shown:
-            drawn.append(draw(shown, folder / name))
+    for name, wanted in PICTURES.items():
+        here = [each for each in done if (each[0].bodies, each[0].load) == wanted and each[0].factor in FACTORS]
+        if here:
+            drawn.append(draw([each for each in here if each[0].size == here[0][0].size], folder / name))
     return drawn
 
 
