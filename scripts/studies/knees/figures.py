@@ -80,7 +80,7 @@ def _draw_shares(axes: Axes, plots: Sequence[PlotFile], runs: Sequence[KneeRun])
         axes.semilogx(contacts[0].time[1:], fluid_share(contacts)[1:], ".-", label=run.contact)
     axes.set_xlabel("time [s]")
     axes.set_ylabel("part of the load that the fluid bears")
-    axes.set_ylim(0.0, 1.0)
+    axes.set_ylim(bottom=0.0)
     axes.grid(alpha=0.3)
     axes.legend()
 
@@ -89,7 +89,7 @@ def _title(run: KneeRun) -> str:
     theirs = f"FEBio's {run.contact}, {run.factor:g} times automatic penalties"
     return (
         f"{theirs if run.factor else f'{run.contact}, defaults'}\n"
-        f"{run.iterations} iterations, {run.retries} retries, {run.seconds:.0f} s\n"
+        f"{run.iterations} iterations, retries: {run.retries}, {run.seconds:.0f} s\n"
         f"largest pressure {run.peak_medial:.1f} and {run.peak_lateral:.1f} MPa, "
         f"area {run.area_medial:.0f} and {run.area_lateral:.0f} mm²"
     )
