@@ -9,6 +9,7 @@ from studies.knees import page
 from studies.knees.knee_run import KneeRun
 
 OURS = KneeRun(
+    bodies="elastic",
     load="stance",
     size="small",
     contact=InterfaceType.MIXTURE.value,
@@ -37,17 +38,27 @@ THEIRS = replace(
 def test_the_table_compares_with_the_runs_of_fewest_iterations_and_of_least_overlap() -> None:
     tight = replace(THEIRS, factor=100.0, iterations=120, seconds=160.0, overlap=0.01)
     runs = [OURS, THEIRS, tight]
-    assert "completes 1 of 1 runs. FEBio's interface completes 2 of 2" in page.headline(runs)
+    assert "completes 1 of 1 runs. FEBio's interfaces complete 2 of 2" in page.headline(runs)
     fewest, least = page.compared(runs).splitlines()[2:]
-    assert fewest == "| stance | fewest iterations | 1.50 | 2.00 | 1.50 | 0.01 |"
-    assert least.startswith("| stance | least overlap | 0.50 | 0.50 |")
+    assert fewest == "| stance, small | fewest iterations | 1.50 | 2.00 | 1.50 | 0.01 |"
+    assert least.startswith("| stance, small | least overlap | 0.50 | 0.50 |")
     assert least.endswith("| 0.1 |")
 
 
 def test_the_table_compares_nothing_where_a_run_fails() -> None:
     runs = [OURS, replace(THEIRS, ended=False)]
-    assert "FEBio's interface completes 0 of 1" in page.headline(runs)
-    assert len(page.compared(runs).splitlines()) == 2
+    assert "FEBio's interfaces complete 0 of 1" in page.headline(runs)
+    assert page.compared(runs).splitlines()[2:] == ["| stance, small | none completes | - | - | - | - |"]
+
+
+def test_the_fluid_bears_a_part_of_the_load_on_porous_knees() -> None:
+    biphasic = replace(OURS, bodies="biphasic", fluid_most=0.96, fluid_last=0.9)
+    solute = replace(biphasic, bodies="solute", appeared=2e-12)
+    assert page.fluid([OURS, biphasic, solute, replace(THEIRS, fluid_most=0.9)]).splitlines()[2:] == [
+        "| biphasic, stance, small | 0.960 | 0.900 | - |",
+        "| solute, stance, small | 0.960 | 0.900 | 2e-12 |",
+    ]
+    assert page.compartments([biphasic]).endswith("| 0.0010 | 0.960, 0.900 |")
 
 
 def test_tables_have_a_row_for_each_run() -> None:
@@ -56,4 +67,4 @@ def test_tables_have_a_row_for_each_run() -> None:
     assert rows[0] == "| stance, small | `sliding-mixture` | yes | 0.2 | 10 | 60 | 0 | 80 | 300 |"
     assert "no, at the limit of time" in rows[1]
     assert "| `sliding-elastic` × 1 | no |" in rows[2]
-    assert page.compartments(runs).splitlines()[2].endswith("| 400, 300 | 700, 600 | 5.00, 3.00 | 0.0010 |")
+    assert page.compartments(runs).splitlines()[2].endswith("| 400, 300 | 700, 600 | 5.00, 3.00 | 0.0010 | - |")

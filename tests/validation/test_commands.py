@@ -55,7 +55,10 @@ SMALL = {
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
     "scripts/mixcontact knee --docs": "{harness} knee --help",
-    "scripts/mixcontact models knee --output knee.feb": "{harness} models knee --size coarse --output knee.feb",
+    "scripts/mixcontact knee --kind porous --docs": "{harness} knee --help",
+    "scripts/mixcontact models knee --bodies biphasic --output knee.feb": (
+        "{harness} models knee --size coarse --output knee.feb"
+    ),
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",

@@ -14,6 +14,7 @@ from harness.errors import HarnessError
 from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.knee.bearing import Load
+from harness.models.knee.tissues import TISSUES, Bodies
 from harness.models.knee.whole_knee import Knee
 from harness.models.knee.whole_mesh import Size
 from harness.paths import MODELS
@@ -40,6 +41,7 @@ def models(
         Family | None, typer.Argument(help="Write a model of this family in place of the collection.")
     ] = None,
     size: Annotated[Size, typer.Option(help="Size of the mesh of the knee.")] = Size.SMALL,
+    bodies: Annotated[Bodies, typer.Option(help="Kind of cartilage and menisci of the knee.")] = Bodies.ELASTIC,
     load: Annotated[Load, typer.Option(help="Load the knee with 700 N, or with one cycle of gait.")] = Load.STANCE,
     contact: Annotated[
         Whose, typer.Option(help="Use the plugin's contact or FEBio's contact in the knee.")
@@ -58,11 +60,13 @@ def models(
         return
     if output is None or output.suffix != ".feb":
         raise typer.BadParameter(f"`models {family.value}` needs a file that ends in .feb", param_hint="--output")
-    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else InterfaceType.ELASTIC
-    _write(Knee(interface, size, load, friction, name=output.stem).model(), output)
+    interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else TISSUES[bodies].theirs
+    if friction and interface is InterfaceType.SOLUTE:
+        raise typer.BadParameter(f"FEBio's {interface.value} has no friction", param_hint="--friction")
+    _write(Knee(interface, size, load, friction, name=output.stem, bodies=bodies).model(), output)
 
 
-_OF_KNEE, _OF_COLLECTION = ("size", "load", "contact", "friction", "output"), ("folder", "check")
+_OF_KNEE, _OF_COLLECTION = ("size", "bodies", "load", "contact", "friction", "output"), ("folder", "check")
 """Options."""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.models.mesh import Ids
-from harness.models.parts import Element, child
+from harness.models.parts import Element, Param, child
 
 
 @dataclass(frozen=True)
@@ -19,11 +19,14 @@ class Springs:
         Of each spring, N/mm.
     ends : ndarray of int, shape (n_springs, 2)
         Node numbers, from 1.
+    curve : int, optional
+        Number of a load curve that is a factor of the stiffness.
     """
 
     name: str
     stiffness: float
     ends: Ids
+    curve: int | None = None
 
     def write_mesh(self, parent: Element) -> None:
         """Append the pairs of nodes to the section ``Mesh``."""
@@ -34,7 +37,7 @@ class Springs:
     def write_material(self, parent: Element, number: int) -> None:
         """Append the material to the section ``Discrete``."""
         made = child(parent, "discrete_material", id=str(number), name=self.name, type="linear spring")
-        child(made, "E", self.stiffness)
+        Param("E", self.stiffness, self.curve).write(made)
 
     def write_set(self, parent: Element, number: int) -> None:
         """Append the springs to the section ``Discrete``."""

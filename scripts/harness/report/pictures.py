@@ -31,6 +31,8 @@ _CELLS = {
     **dict.fromkeys((16, 18), _PYRA),
 }
 """Corners, and VTK's cell of as many corners, by FEBio's number of an element's shape in a plot file."""
+_HARDLY, _LONG = 0.05, 100.0
+"""Part of a contact's largest force, and ratio of its longest to its shortest step."""
 _TILT = 0.6
 """How far the eye stands beside the mean normal of a surface, as a part of its distance: what is curved looks so."""
 
@@ -59,7 +61,13 @@ def _draw_surface(plot: PlotFile, state: State, contact: Contact, largest: float
     ]
     plotter = pyvista.Plotter(off_screen=True, window_size=list(SIZE))
     plotter.set_background("white")
-    bar = {"color": "black", "fmt": "%.3g", "title_font_size": 22, "label_font_size": 18}
+    bar = {
+        "title": "contact pressure [MPa]\n",
+        "color": "black",
+        "fmt": "%.3g",
+        "title_font_size": 22,
+        "label_font_size": 18,
+    }
     light = {"ambient": 0.75, "diffuse": 0.25}  # little shade, so that colours are those of the scale
     shown = plotter.add_mesh(mesh, cmap=_COLOUR_MAP, clim=(0.0, largest), scalar_bar_args=bar, **light)
     shown.mapper.SetResolveCoincidentTopologyToPolygonOffset()  # drawn over the faces of its own body
@@ -108,7 +116,7 @@ def draw_curves(contacts: Sequence[Contact], folder: Path) -> list[Path]:
         ("force", "contact force [N]", {name: each.force for name, each in _named(contacts)}),
         ("area", "contact area [mm²]", {name: each.area for name, each in _named(contacts)}),
         ("pressure", "largest contact pressure [MPa]", {name: each.peak for name, each in _named(contacts)}),
-        ("fluid", "part of the force that the fluid bears", _known({n: c.fluid_share for n, c in _named(contacts)})),
+        ("fluid", "part of the force that the fluid bears", _known({n: _loaded(c) for n, c in _named(contacts)})),
     ]
     for label in dict.fromkeys(label for contact in contacts for label in contact.flows):
         unit = "mm³" if label == "solvent" else "nmol"
@@ -130,18 +138,32 @@ def _known(lines: dict[str, Floats]) -> dict[str, Floats]:
     return {name: values for name, values in lines.items() if np.isfinite(values).any()}
 
 
+def _loaded(contact: Contact) -> Floats:
+    """Share of the fluid while the contact bears a load: a part of hardly any force says nothing."""
+    return np.where(contact.force > _HARDLY * contact.force.max(), contact.fluid_share, np.nan)
+
+
+def _is_long(time: Floats) -> bool:
+    """Whether a logarithmic axis shows a time that linear ones hide."""
+    steps = np.diff(time)
+    return len(steps) > 1 and float(steps.max()) > _LONG * float(steps.min())
+
+
 def _draw(name: str, title: str, lines: dict[str, Floats], time: Floats, folder: Path) -> Path:
-    figure = Figure(figsize=(5.6, 3.6), layout="constrained")
+    rows = -(-len(lines) // 2)
+    figure = Figure(figsize=(5.6, 3.4 + 0.2 * rows), layout="constrained")
     axes = figure.subplots()
     mark = "o" if len(time) < 30 else ""
     for index, (label, values) in enumerate(lines.items()):
         colour = COLOURS[index % len(COLOURS)]
         style = "-" if index < len(COLOURS) else "--"
         axes.plot(time, values, style, marker=mark, markersize=3, color=colour, label=label, linewidth=1.6)
+    if _is_long(time):
+        axes.set_xscale("log")
     axes.set_xlabel("time [s]")
     axes.set_ylabel(title)
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
+    figure.legend(loc="outside lower center", ncols=2, fontsize=8)
     path = folder / f"{name}.png"
     figure.savefig(path, dpi=130)
     return path

@@ -2,44 +2,66 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from harness.models.interface import InterfaceType, automatic
+from harness.models.interface import InterfaceType
 from harness.models.knee.bearing import Load
+from harness.models.knee.tissues import TISSUES, Bodies
 from harness.models.knee.whole_knee import Knee
 from harness.models.knee.whole_mesh import Size
 from harness.report import history, plot_file
 from harness.report.history import Contact
-from harness.report.plot_file import State
+from harness.report.plot_file import PlotFile, State
 from harness.run.runner import Runner, RunResult
-from studies.knees.knee_run import KneeRun
+from studies.knees import solute_of_knee
+from studies.knees.knee_run import Kind, KneeRun
 from studies.stamps import at_limit
+
+Array = NDArray[np.float64]
 
 FACTORS = (1.0, 10.0, 100.0)
 """Of FEBio's automatic penalties; 0 stands for the plugin's defaults."""
+SCENES = {
+    Kind.ELASTIC: (
+        (Bodies.ELASTIC, Load.STANCE, Size.SMALL),
+        (Bodies.ELASTIC, Load.GAIT, Size.COARSE),
+    ),
+    Kind.POROUS: (
+        (Bodies.BIPHASIC, Load.STANCE, Size.SMALL),
+        (Bodies.BIPHASIC, Load.STANCE, Size.COARSE),
+        (Bodies.BIPHASIC, Load.GAIT, Size.COARSE),
+        (Bodies.SOLUTE, Load.STANCE, Size.COARSE),
+    ),
+}
 
 
-def knees(load: Load, size: Size) -> list[tuple[Knee, float]]:
-    """The knees of a load and a size, the plugin's first, with the factors of their penalties."""
-    return [(_knee(load, size, factor), factor) for factor in (0.0, *FACTORS)]
+def knees(kind: Kind, only: str = "") -> list[tuple[Knee, float]]:
+    """The knees of whose name `only` is a part, with factors of their penalties; the plugin's first in each scene."""
+    made = [(_knee(*scene, factor), factor) for scene in SCENES[kind] for factor in (0.0, *FACTORS)]
+    return [(knee, factor) for knee, factor in made if only in knee.name]
 
 
-def _knee(load: Load, size: Size, factor: float) -> Knee:
-    name = f"knee-{load.value}-{size.value}"
+def _knee(bodies: Bodies, load: Load, size: Size, factor: float) -> Knee:
+    kind = "" if bodies is Bodies.ELASTIC else f"{bodies.value}-"
+    name = f"knee-{kind}{load.value}-{size.value}"
     if factor == 0.0:
-        return Knee(InterfaceType.MIXTURE, size, load, name=name)
-    settings = replace(automatic(factor), pressure_penalty=None, concentration_penalty=None)
-    return Knee(InterfaceType.ELASTIC, size, load, settings=settings, name=f"{name}-febio-{factor:g}")
+        return Knee(InterfaceType.MIXTURE, size, load, name=name, bodies=bodies)
+    tissues = TISSUES[bodies]
+    name = f"{name}-febio-{factor:g}"
+    return Knee(tissues.theirs, size, load, settings=tissues.automatic(factor), name=name, bodies=bodies)
 
 
 def run(knee: Knee, factor: float, runner: Runner) -> tuple[KneeRun, RunResult]:
     """Run a knee and measure it."""
-    result = runner(knee.model(), check=False)
+    result = runner(replace(knee.model(), node_log=knee.bodies is Bodies.SOLUTE), check=False)
     report = result.report
     measured = KneeRun(
+        bodies=knee.bodies.value,
         load=knee.load.value,
         size=knee.size.value,
         contact=knee.contact.value,
@@ -53,17 +75,21 @@ def run(knee: Knee, factor: float, runner: Runner) -> tuple[KneeRun, RunResult]:
         seconds=result.cpu,
         memory=result.memory,
     )
-    return _with_compartments(measured, result), result
+    measured = _with_compartments(measured, result)
+    if knee.bodies is Bodies.SOLUTE and report.steps:
+        measured = replace(measured, appeared=solute_of_knee.appeared(result))
+    return measured, result
 
 
 def _with_compartments(measured: KneeRun, result: RunResult) -> KneeRun:
     """The run with what its plot file holds."""
     plot = plot_file.read(result.folder / f"{result.model.name}.xplt")
-    contacts = [contact for contact in history.contacts(plot) if "-to-femur-" in contact.surface.name]
+    contacts = under_femur(plot)
     reached = plot.states[-1].time
     if not contacts:
         return replace(measured, reached=reached)
     number = int(np.argmax(np.sum([contact.force for contact in contacts], axis=0)))
+    most, last = _fluid(contacts)
     medial, lateral = (_of_side(contacts, side, number) for side in ("medial", "lateral"))
     return replace(
         measured,
@@ -75,7 +101,29 @@ def _with_compartments(measured: KneeRun, result: RunResult) -> KneeRun:
         peak_medial=medial[2],
         peak_lateral=lateral[2],
         overlap=max(_overlap(plot.states[number], contact) for contact in contacts),
+        fluid_most=most,
+        fluid_last=last,
     )
+
+
+def under_femur(plot: PlotFile) -> list[Contact]:
+    """The surfaces on which the femur presses."""
+    return [contact for contact in history.contacts(plot) if "-to-femur-" in contact.surface.name]
+
+
+def fluid_share(contacts: Sequence[Contact]) -> Array:
+    """Part of the load on surfaces that the fluid bears, over time; NaN where that is not known."""
+    forces = np.array([contact.mean * contact.area for contact in contacts])
+    shares = np.array([contact.fluid_share for contact in contacts])
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.where(forces > 0.0, forces * shares, 0.0).sum(axis=0) / forces.sum(axis=0))
+
+
+def _fluid(contacts: Sequence[Contact]) -> tuple[float, float]:
+    """Largest and last share of the fluid while the load is above half of its largest."""
+    share, force = fluid_share(contacts), np.sum([contact.force for contact in contacts], axis=0)
+    loaded = share[(force > 0.5 * force.max()) & np.isfinite(share)]
+    return (float(loaded.max()), float(loaded[-1])) if len(loaded) else (math.nan, math.nan)
 
 
 def _overlap(state: State, contact: Contact) -> float:

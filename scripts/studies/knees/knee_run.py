@@ -1,9 +1,17 @@
-"""A row of docs/data/knee.csv."""
+"""A row of docs/data/knee.csv or porous-knee.csv."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from enum import Enum
+
+
+class Kind(str, Enum):
+    """Knees that are measured in one go."""
+
+    ELASTIC = "elastic"
+    POROUS = "porous"
 
 
 @dataclass(frozen=True)
@@ -12,7 +20,7 @@ class KneeRun:
 
     Attributes
     ----------
-    load, size : str
+    bodies, load, size : str
     contact : str
         Type of the six contacts.
     factor : float
@@ -31,8 +39,14 @@ class KneeRun:
         Largest mean pressure of a facet, MPa.
     overlap : float
         Largest mean overlap of a facet under pressure, mm.
+    fluid_most, fluid_last : float
+        Part of the load that the fluid bears where the femur is in contact, largest and last, while the load is above
+        half of its largest.
+    appeared : float
+        Solute that appeared at nodes which nothing feeds, over the content at the end.
     """
 
+    bodies: str
     load: str
     size: str
     contact: str
@@ -52,3 +66,11 @@ class KneeRun:
     peak_medial: float = math.nan
     peak_lateral: float = math.nan
     overlap: float = math.nan
+    fluid_most: float = math.nan
+    fluid_last: float = math.nan
+    appeared: float = math.nan
+
+    @property
+    def scene(self) -> tuple[str, str, str]:
+        """The model without its contact."""
+        return self.bodies, self.load, self.size

@@ -1,42 +1,54 @@
-"""The page of the knee: docs/evidence/knee.md, from docs/data/knee.csv."""
+"""The pages of the knees, elastic and porous, and of their runs, from docs/data."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from harness.models.interface import InterfaceType
+from harness.models.knee.whole_mesh import Size
 from studies import files, tables
-from studies.knees.knee_run import KneeRun
+from studies.knees.knee_run import Kind, KneeRun
 from studies.pages.evidence import DATA, EvidencePage
 
 LIMIT = 900.0
 """s of processor time for one run."""
-SOURCE, PICTURE = "knee.csv", "knee.png"
+SOURCES = {Kind.ELASTIC: "knee.csv", Kind.POROUS: "porous-knee.csv"}
 _OURS = InterfaceType.MIXTURE.value
-_LIMITS = """\
-Cartilage and menisci are elastic here. The sizes `medium` and `large` are not among these runs. Gait runs on the coarse
-mesh alone, which does not resolve the pressure. No conforming reference decides between the pressures."""
+_LIMITS = "The coarse mesh does not resolve the pressure. No conforming reference decides between the pressures."
 
 
-def figures() -> Mapping[str, str]:
-    """What the text of the page leaves open."""
-    runs = files.read_csv(DATA / SOURCE, KneeRun)
-    return {
-        "headline": headline(runs),
-        "compared": compared(runs),
-        "runs": table(runs),
-        "compartments": compartments(runs),
-        "limits": _LIMITS,
-    }
+def figures(kind: Kind) -> Mapping[str, str]:
+    """What the text of the page of a kind leaves open."""
+    runs = _runs(kind)
+    found = {"headline": headline(runs), "compared": compared(runs), "limits": limits(runs)}
+    return found if kind is Kind.ELASTIC else {**found, "fluid": fluid(runs)}
+
+
+def runs_of_table(kind: Kind) -> Mapping[str, str]:
+    """The tables with a row for each run."""
+    runs = _runs(kind)
+    return {"runs": table(runs), "compartments": compartments(runs)}
+
+
+def _runs(kind: Kind) -> list[KneeRun]:
+    return files.read_csv(DATA / SOURCES[kind], KneeRun)
+
+
+def limits(runs: Sequence[KneeRun]) -> str:
+    """Which sizes were not run, and what the others do not show."""
+    missing = [f"`{size.value}`" for size in Size if size.value not in {run.size for run in runs}]
+    return f"No run has the sizes {', '.join(missing)}. {_LIMITS}"
 
 
 def headline(runs: Sequence[KneeRun]) -> str:
     """Who completes."""
     ours, theirs = _sides(runs)
     return (
-        f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs. FEBio's interface completes "
-        f"{_done(theirs)} of {len(theirs)} with three factors of its penalty."
+        f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs. FEBio's interfaces complete "
+        f"{_done(theirs)} of {len(theirs)} with three factors of their penalties."
     )
 
 
@@ -46,13 +58,13 @@ def _sides(runs: Sequence[KneeRun]) -> tuple[list[KneeRun], list[KneeRun]]:
 
 
 def compared(runs: Sequence[KneeRun]) -> str:
-    """`sliding-mixture` over two runs of FEBio's interface for each load: the fastest, and the one that overlaps least.
+    """`sliding-mixture` over two runs of FEBio's interface: the fastest of a scene, and the one that overlaps least.
 
     Only runs that complete are compared.
     """
     ours, theirs = _sides(runs)
     rows = [row for mine in ours if mine.ended for row in _compared(mine, theirs)]
-    return tables.markdown(("load", "run of FEBio's interface", "iterations", "time", "memory", "overlap"), rows)
+    return tables.markdown(("knee", "run of FEBio's interface", "iterations", "time", "memory", "overlap"), rows)
 
 
 def _done(runs: Sequence[KneeRun]) -> int:
@@ -60,16 +72,30 @@ def _done(runs: Sequence[KneeRun]) -> int:
 
 
 def _compared(mine: KneeRun, theirs: Sequence[KneeRun]) -> list[tuple[str, ...]]:
-    """Two rows, or none if no run of FEBio's completes."""
-    rivals = [run for run in theirs if run.ended and run.load == mine.load]
+    """Two rows, or one if no run of FEBio's completes."""
+    rivals = [run for run in theirs if run.ended and run.scene == mine.scene]
     if not rivals:
-        return []
+        return [(_scene(mine), "none completes", "-", "-", "-", "-")]
     fastest = min(rivals, key=lambda run: run.iterations)
     tightest = min(rivals, key=lambda run: run.overlap)
     return [
-        (mine.load, "fewest iterations", *_times(mine, fastest)),
-        (mine.load, "least overlap", *_times(mine, tightest)),
+        (_scene(mine), "fewest iterations", *_times(mine, fastest)),
+        (_scene(mine), "least overlap", *_times(mine, tightest)),
     ]
+
+
+def fluid(runs: Sequence[KneeRun]) -> str:
+    """Share of the load that the fluid bears, and solute that appears, in runs with `sliding-mixture`."""
+    rows = [
+        (_scene(run), *(f"{share:.3f}" for share in (run.fluid_most, run.fluid_last)), _appeared(run))
+        for run in _sides(runs)[0]
+        if math.isfinite(run.fluid_most)
+    ]
+    return tables.markdown(("knee", "largest", "last", "solute that appears"), rows)
+
+
+def _appeared(run: KneeRun) -> str:
+    return f"{run.appeared:.0e}" if math.isfinite(run.appeared) else "-"
 
 
 def _times(mine: KneeRun, other: KneeRun) -> tuple[str, ...]:
@@ -78,8 +104,12 @@ def _times(mine: KneeRun, other: KneeRun) -> tuple[str, ...]:
     return (*(f"{ratio:.2f}" for ratio in ratios), f"{mine.overlap / other.overlap:.1g}")
 
 
+def _scene(run: KneeRun) -> str:
+    return ", ".join(run.scene[1 if run.bodies == Kind.ELASTIC.value else 0 :])
+
+
 def _name(run: KneeRun) -> tuple[str, str]:
-    return f"{run.load}, {run.size}", f"`{run.contact}`" + (f" × {run.factor:g}" if run.factor else "")
+    return _scene(run), f"`{run.contact}`" + (f" × {run.factor:g}" if run.factor else "")
 
 
 def table(runs: Sequence[KneeRun]) -> str:
@@ -89,7 +119,7 @@ def table(runs: Sequence[KneeRun]) -> str:
     for run in runs:
         counts = (run.steps, run.iterations, run.retries, f"{run.seconds:.0f}", f"{run.memory:.0f}")
         rows.append((*_name(run), _outcome(run), f"{run.reached:.3g}", *counts))
-    return tables.markdown(("load, size", "contact", *heads), rows)
+    return tables.markdown(("knee", "contact", *heads), rows)
 
 
 def _outcome(run: KneeRun) -> str:
@@ -97,9 +127,14 @@ def _outcome(run: KneeRun) -> str:
 
 
 def compartments(runs: Sequence[KneeRun]) -> str:
-    """Force, area and largest pressure."""
-    heads = ("load, size", "contact", "force [N]", "area [mm²]", "largest pressure [MPa]", "largest overlap [mm]")
-    return tables.markdown(heads, ((*_name(run), *_passing(run), f"{run.overlap:.4f}") for run in runs))
+    """Force, area, largest pressure, and the load that the fluid bears."""
+    heads = ("knee", "contact", "force [N]", "area [mm²]", "largest pressure [MPa]", "largest overlap [mm]")
+    rows = ((*_name(run), *_passing(run), f"{run.overlap:.4f}", _shares(run)) for run in runs)
+    return tables.markdown((*heads, "fluid bears"), rows)
+
+
+def _shares(run: KneeRun) -> str:
+    return f"{run.fluid_most:.3f}, {run.fluid_last:.3f}" if math.isfinite(run.fluid_most) else "-"
 
 
 def _passing(run: KneeRun) -> list[str]:
@@ -109,4 +144,13 @@ def _passing(run: KneeRun) -> list[str]:
     return [", ".join(f"{value:{form}}" for value in values) for values, form in numbers]
 
 
-PAGE = EvidencePage("evidence/knee.md", (SOURCE,), Path(__file__).with_name("page.md"), figures)
+def _pages(kind: Kind, name: str) -> tuple[EvidencePage, EvidencePage]:
+    """The page of a kind, and that of its tables."""
+    sources, here = (SOURCES[kind],), Path(__file__).parent
+    return (
+        EvidencePage(f"evidence/{name}.md", sources, here / f"{name}.md", partial(figures, kind)),
+        EvidencePage(f"reference/{name}-runs.md", sources, here / f"{name}-runs.md", partial(runs_of_table, kind)),
+    )
+
+
+PAGES = {Kind.ELASTIC: _pages(Kind.ELASTIC, "knee"), Kind.POROUS: _pages(Kind.POROUS, "porous-knee")}

@@ -9,7 +9,7 @@ with that largest force, and bend the knee by up to 30 degrees, to which the con
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -21,8 +21,12 @@ STANCE = 700.0
 """N."""
 BODY_WEIGHT = STANCE / 1.07
 """N."""
-RISE = 0.2
-"""s in which the load of stance rises."""
+RISE, HOLD = 0.2, 100.0
+"""s in which the load of stance rises, and to which porous bodies bear it."""
+GROWTH = (1.0, 0.4), (HOLD, 40.0)
+"""Largest steps of what is held, s, at a time."""
+SOFT = 1e-6
+"""Factor of the stiffness of stands from the end of the rise on: FEBio refuses none."""
 SMOOTH = "SMOOTH STEP"
 """FEBio's interpolation with level tangents at all points."""
 GAIT_FORCE = ((0.0, 0.0), (0.15, 2.15), (0.32, 1.2), (0.5, 2.61), (0.65, 0.25), (1.0, 0.25))
@@ -55,18 +59,24 @@ class Loading:
     flexion : Curve, optional
         rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one
         rotation is given and another one free.
+    softening : Curve, optional
+        Factor of the stiffness of stands that hold the femur at first.
+    about : str
+        The load in a sentence.
     """
 
     end: float
     largest_step: tuple[tuple[float, float], ...]
     force: Curve
     flexion: Curve | None = None
+    softening: Curve | None = None
+    about: str = ""
 
     @property
     def curves(self) -> tuple[Curve, ...]:
         """Load curves in the order of their numbers."""
-        first = (self.force, Curve(self.largest_step))
-        return first if self.flexion is None else (*first, self.flexion)
+        curves = (self.force, Curve(self.largest_step), self.flexion, self.softening)
+        return tuple(curve for curve in curves if curve is not None)
 
     def conditions(self) -> tuple[Condition, ...]:
         """The tibia is held; the femur moves up and down, and bends or tilts."""
@@ -82,14 +92,38 @@ class Loading:
         return Control(1, self.largest_step[0][1], reformations=25, stepper=stepper, end=self.end)
 
 
+def loading(load: Load) -> Loading:
+    """A load by its name."""
+    return gait() if load is Load.GAIT else stance()
+
+
+def porous(load: Load) -> Loading:
+    """The same of porous bodies: stance is held, and stands hold the femur until the load has risen.
+
+    Bodies that touch at a point hardly resist, and undrained ones bear no overlap: without stands, the first iteration
+    inverts elements.
+    """
+    rising = loading(load)
+    held = replace(rising, softening=Curve(((0.0, 1.0), (RISE, SOFT))))
+    return held if load is Load.GAIT else _to_the_end(held)
+
+
 def stance() -> Loading:
     """700 N within 0.2 s; then nothing changes in elastic bodies."""
     step = RISE / 10
-    return Loading(RISE, ((0.0, step), (RISE, step)), Curve(((0.0, 0.0), (RISE, STANCE))))
+    rising = Curve(((0.0, 0.0), (RISE, STANCE)))
+    return Loading(RISE, ((0.0, step), (RISE, step)), rising, about="A force of 700 N presses the femur down.")
+
+
+def _to_the_end(rising: Loading) -> Loading:
+    """A load that stays, with steps that grow with the time since its start."""
+    about = f"A force of 700 N presses the femur down to {HOLD:g} s."
+    return replace(rising, end=HOLD, largest_step=(*rising.largest_step, *GROWTH), about=about)
 
 
 def gait() -> Loading:
     """One cycle in 1 s."""
     force = Curve(tuple((time, part * BODY_WEIGHT) for time, part in GAIT_FORCE), SMOOTH)
     flexion = Curve(tuple((time, float(np.deg2rad(angle))) for time, angle in GAIT_FLEXION), SMOOTH)
-    return Loading(1.0, ((0.0, 0.02), (0.5, 0.02), (1.0, 0.02)), force, flexion)
+    steps, about = ((0.0, 0.02), (0.5, 0.02), (1.0, 0.02)), "Force and flexion go through one cycle of gait in 1 s."
+    return Loading(1.0, steps, force, flexion, about=about)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,11 +10,26 @@ from numpy.typing import NDArray
 
 from harness.models.knee import anatomy
 from harness.models.knee.anatomy import Compartment
+from harness.models.knee.clearance import smallest_gap
 from harness.models.mesh import Ids
 
 Array = NDArray[np.float64]
 ROUNDNESS = 0.5
 """Of the plateau's corners: the elements there keep more than half of their angles."""
+
+
+TOUCH = 1e-3
+"""Overlap with which femur and tibia touch, mm."""
+
+
+def even(layers: int) -> Array:
+    """Depths of layers of one thickness as parts of the whole, from the deepest to the surface."""
+    return np.linspace(1.0, 0.0, layers + 1)
+
+
+def graded(layers: int) -> Array:
+    """The same of layers that are thinner towards both sides."""
+    return np.asarray(0.5 + 0.5 * np.cos(np.pi * np.linspace(0.0, 1.0, layers + 1)))
 
 
 @dataclass(frozen=True)
@@ -29,11 +44,14 @@ class Divisions:
         Across, along, and through the cartilage.
     meniscus : tuple of int
         Around, from the rim to the inner edge, and through its height.
+    depths : callable
+        Depths of the layers through cartilage and menisci, from their number.
     """
 
     condyle: tuple[int, int, int]
     plateau: tuple[int, int, int]
     meniscus: tuple[int, int, int]
+    depths: Callable[[int], Array] = even
 
     @property
     def seat(self) -> float:
@@ -45,6 +63,23 @@ class Divisions:
         around = (anatomy.BACK + anatomy.FRONT) / (8 * self.condyle[0]) * anatomy.SAGITTAL
         across = 2.0 * anatomy.SIDE / self.condyle[1] * anatomy.CORONAL
         return float(3.0 * (around**2 / (8.0 * anatomy.SAGITTAL) + across**2 / (8.0 * anatomy.CORONAL)))
+
+
+@dataclass(frozen=True)
+class Fit:
+    """Where the bodies of a compartment are at the start.
+
+    Attributes
+    ----------
+    seat : float
+        How deep the femur overlaps the tibia, mm.
+    above, below : float
+        Gaps between the meniscus and the smooth surfaces of femur and tibia, mm.
+    """
+
+    seat: float
+    above: float = anatomy.PLAY
+    below: float = anatomy.PLAY
 
 
 @dataclass(frozen=True)
@@ -74,6 +109,10 @@ class Block:
         below, above = self._faces(slice(None, -1)), self._faces(slice(1, None))
         return np.concatenate([below, above], axis=-1)[:, :, layers].reshape(-1, 8)
 
+    def corners(self, facets: Ids) -> Array:
+        """Positions of the nodes of facets, shape (n, 4, 3)."""
+        return np.asarray(self.points.reshape(-1, 3)[facets - self.first])
+
     @property
     def top(self) -> Ids:
         """Facets of the last layer, counterclockwise seen from outside."""
@@ -84,27 +123,33 @@ class Block:
         """Facets of the first layer, counterclockwise seen from outside."""
         return self._faces(slice(0, 1)).reshape(-1, 4)[:, ::-1]
 
+    @property
+    def sides(self) -> Ids:
+        """Nodes of cartilage or meniscus on the other four faces, each once, without those of bone."""
+        nodes = self.nodes[:, :, self.bone + 1 if self.bone else 0 :]
+        return np.unique(np.concatenate([nodes[[0, -1]].ravel(), nodes[:, [0, -1]].ravel()]))
+
     def _faces(self, layers: slice) -> Ids:
         """Nodes of the quadrilaterals in some layers of nodes, shape (n_i, n_j, n_layers, 4)."""
         n = self.nodes[:, :, layers]
         return np.stack([n[:-1, :-1], n[1:, :-1], n[1:, 1:], n[:-1, 1:]], axis=-1)
 
 
-def femur(side: Compartment, divisions: Divisions) -> Block:
+def femur(side: Compartment, divisions: Divisions, fit: Fit) -> Block:
     """Cartilage of a condyle with a layer of bone above it."""
     around, across, through = divisions.condyle
     angle = np.linspace(-anatomy.BACK, anatomy.FRONT, 8 * around + 1)
     sideways = np.linspace(-anatomy.SIDE, anatomy.SIDE, across + 1)
-    depth = anatomy.FEMORAL_CARTILAGE * np.linspace(1.0, 0.0, through + 1)
+    depth = anatomy.FEMORAL_CARTILAGE * divisions.depths(through)
     depth = np.concatenate([[anatomy.FEMORAL_CARTILAGE + anatomy.BONE], depth])
     points = anatomy.condyle(*np.meshgrid(angle, sideways, depth, indexing="ij"))
-    return Block(_at(side, points - [0.0, 0.0, divisions.seat]), bone=1)
+    return Block(_at(side, points - [0.0, 0.0, fit.seat]), bone=1)
 
 
 def tibia(side: Compartment, divisions: Divisions) -> Block:
     """Cartilage of a plateau with a layer of bone below it."""
     across, along, through = divisions.plateau
-    depth = anatomy.TIBIAL_CARTILAGE * np.linspace(1.0, 0.0, through + 1)
+    depth = anatomy.TIBIAL_CARTILAGE * divisions.depths(through)
     depth = np.concatenate([[anatomy.TIBIAL_CARTILAGE + anatomy.BONE], depth])
     square = np.meshgrid(np.linspace(-1.0, 1.0, across + 1), np.linspace(-1.0, 1.0, along + 1), depth, indexing="ij")
     u, v = anatomy.rounded(square[0], square[1], ROUNDNESS)
@@ -112,17 +157,32 @@ def tibia(side: Compartment, divisions: Divisions) -> Block:
     return Block(_at(side, np.stack([x, y, side.plateau(x, y) - square[2]], axis=-1)), bone=1)
 
 
-def meniscus(side: Compartment, divisions: Divisions) -> Block:
+def meniscus(side: Compartment, divisions: Divisions, fit: Fit) -> Block:
     """A wedge around the contact of a condyle and a plateau, open to the middle of the knee; its fibres go around."""
     around, across, through = divisions.meniscus
     middle = 0.0 if side.inwards > 0 else np.pi
     angle = middle + np.linspace(side.opening, 2.0 * np.pi - side.opening, around + 1)
     angle, inset, up = np.meshgrid(
-        angle, side.width * np.linspace(0.0, 1.0, across + 1), np.linspace(0.0, 1.0, through + 1), indexing="ij"
+        angle, side.width * np.linspace(0.0, 1.0, across + 1), divisions.depths(through)[::-1], indexing="ij"
     )
     x, y = (side.rim[0] - inset) * np.cos(angle), (side.rim[1] - inset) * np.sin(angle)
-    low, high = side.plateau(x, y) + anatomy.PLAY, anatomy.condyle_height(x, y) - divisions.seat - anatomy.PLAY
+    low, high = side.plateau(x, y) + fit.below, anatomy.condyle_height(x, y) - fit.seat - fit.above
     return Block(_at(side, np.stack([x, y, low + up * (high - low)], axis=-1)))
+
+
+def compartment(side: Compartment, divisions: Divisions, fit: Fit) -> list[Block]:
+    """Femur, tibia and meniscus."""
+    return [femur(side, divisions, fit), tibia(side, divisions), meniscus(side, divisions, fit)]
+
+
+def touching(side: Compartment, divisions: Divisions) -> Fit:
+    """Where bodies touch: the femur overlaps the tibia by `TOUCH`, and the meniscus neither of them."""
+    smooth = Fit(0.0)
+    upper, lower, between = compartment(side, divisions, smooth)
+    seat = TOUCH + smallest_gap(lower.corners(lower.top), upper.corners(upper.top))
+    above = smallest_gap(between.corners(between.top), upper.corners(upper.top))
+    below = smallest_gap(lower.corners(lower.top), between.corners(between.bottom))
+    return Fit(seat, smooth.above - above, smooth.below - below)
 
 
 def numbered(blocks: Sequence[Block]) -> list[Block]:

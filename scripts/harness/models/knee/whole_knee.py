@@ -1,10 +1,4 @@
-"""The model of the knee: mesh, materials, load and contacts.
-
-Sources
--------
-Haut Donahue, Hull, Rashid and Jacobs (2002), J Biomech Eng 124:273: cartilage 15 MPa and 0.475, menisci 150 MPa around
-and 20 MPa across.
-"""
+"""The model of the knee: mesh, materials, load and contacts."""
 
 from __future__ import annotations
 
@@ -12,46 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, automatic, contacts, header
+from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.knee import anatomy, bearing, whole_mesh
 from harness.models.knee.bearing import Load
+from harness.models.knee.tissues import TISSUES, Bodies, Tissues
 from harness.models.knee.whole_mesh import FEMORAL, FEMUR, MENISCAL, TIBIA, TIBIAL, Size
-from harness.models.parts import Elastic, Element, Material, Param, Rigid, Solid, child
-
-TOE = 1.01
-"""Stretch at which all fibres are straight."""
+from harness.models.parts import Material, Param, Rigid
 
 
-@dataclass(frozen=True)
-class Fibrous(Solid):
-    """Neo-Hookean matrix with fibres along the first edges of the elements, which bear tension alone.
-
-    Attributes
-    ----------
-    fibres : float
-        Young's modulus that straight fibres add along themselves, MPa.
-    """
-
-    fibres: float = 0.0
-
-    def write(self, parent: Element, tag: str = "solid") -> Element:
-        """Append the solid to `parent` under the name `tag`."""
-        made = child(parent, tag, type="solid mixture")
-        super().write(made)
-        fibres = child(made, "solid", type="fiber-pow-linear")
-        child(fibres, "E", self.fibres)
-        child(fibres, "lam0", TOE)
-        child(fibres, "beta", 2.0)
-        child(fibres, "fiber", (1, 2), type="local")
-        return made
-
-
-CARTILAGE, MENISCUS = Elastic(Solid(15.0, 0.475)), Elastic(Fibrous(20.0, 0.3, fibres=130.0))
-
-
-def materials(centre: tuple[float, float, float]) -> Mapping[str, Material]:
+def materials(tissues: Tissues, centre: tuple[float, float, float]) -> Mapping[str, Material]:
     """Materials by name; forces on the femur act at `centre`, about which it turns, mm."""
-    return {FEMORAL: CARTILAGE, TIBIAL: CARTILAGE, MENISCAL: MENISCUS, FEMUR: Rigid(centre), TIBIA: Rigid()}
+    cartilage, meniscus = tissues.cartilage, tissues.meniscus
+    return {FEMORAL: cartilage, TIBIAL: cartilage, MENISCAL: meniscus, FEMUR: Rigid(centre), TIBIA: Rigid()}
 
 
 MEDIAL_SHARE = 0.6
@@ -60,14 +26,9 @@ FEBIO_FACTOR = 10.0
 """Of FEBio's automatic penalty: 1 leaves bodies overlapping, and 1000, with which other models here are run, inverts
 elements in the first step."""
 ABOUT = """\
-A knee: two condyles press on a tibial plateau, with menisci between them. Elastic cartilage covers rigid bone. The
-elastic menisci contain fibres along their arcs, and springs connect their horns to the tibia. {load}
+A knee: two condyles press on a tibial plateau, with menisci between them. {tissues} {load}
 Shapes, materials and loads are published, or simplified from published ones. The sources are in
 scripts/harness/models/knee."""
-ABOUT_LOADS = {
-    Load.STANCE: "A force of 700 N presses the femur down.",
-    Load.GAIT: "Force and flexion go through one cycle of gait in 1 s.",
-}
 
 
 @dataclass(frozen=True)
@@ -84,6 +45,8 @@ class Knee:
     settings : ContactSettings, optional
         Of all contacts; `settings_of` without it.
     name : str
+    bodies : Bodies
+        Kind of cartilage and menisci.
     """
 
     contact: InterfaceType = InterfaceType.MIXTURE
@@ -92,39 +55,40 @@ class Knee:
     friction: float = 0.0
     settings: ContactSettings | None = None
     name: str = "knee"
+    bodies: Bodies = Bodies.ELASTIC
 
     def model(self) -> Model:
         """The model of these choices."""
-        made, horns = whole_mesh.meshed(self.size)
-        loading = bearing.gait() if self.load is Load.GAIT else bearing.stance()
-        given = self.settings or settings_of(self.contact)
-        if self.friction:
-            given = replace(given, extra=(*given.extra, Param("fric_coeff", self.friction)))
+        tissues = TISSUES[self.bodies]
+        made = whole_mesh.meshed(self.size, porous=tissues.porous)
+        loading = bearing.porous(self.load) if tissues.porous else bearing.loading(self.load)
+        stands = tuple(replace(stand, curve=len(loading.curves)) for stand in made.stands if loading.softening)
+        given = self.settings or settings_of(self.contact, tissues)
+        friction = (Param("fric_coeff", self.friction),) if self.friction else ()
+        given = replace(given, extra=(*given.extra, *tissues.ambient, *friction))
         return Model(
             self.name,
-            header(self.name, ABOUT.format(load=ABOUT_LOADS[self.load]), self.contact),
-            "solid",
-            made,
-            materials(self._axis()),
-            loading.conditions(),
+            header(self.name, ABOUT.format(tissues=tissues.about, load=loading.about), self.contact),
+            tissues.module,
+            made.mesh,
+            materials(tissues, (_across(), 0.0, made.axis)),
+            (*loading.conditions(), *tissues.conditions),
             loading.control(),
-            contacts(self.contact, made, given),
+            contacts(self.contact, made.mesh, given),
             loading.curves,
             plot=True,
-            springs=horns,
+            springs=(*made.horns, *stands),
             node_log=False,
             further_plot=("contact force",),
         )
 
-    def _axis(self) -> tuple[float, float, float]:
-        """Where the force acts: on the axis of flexion."""
-        medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
-        across = MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral
-        return across, 0.0, anatomy.SAGITTAL - whole_mesh.DIVISIONS[self.size].seat
+
+def _across() -> float:
+    """Where along x the force acts, mm."""
+    medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
+    return MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral
 
 
-def settings_of(contact: InterfaceType) -> ContactSettings:
+def settings_of(contact: InterfaceType, tissues: Tissues) -> ContactSettings:
     """The plugin's default settings, or FEBio's automatic penalties times `FEBIO_FACTOR`."""
-    if contact is InterfaceType.MIXTURE:
-        return ContactSettings()
-    return replace(automatic(FEBIO_FACTOR), pressure_penalty=None, concentration_penalty=None)
+    return ContactSettings() if contact.needs_plugin else tissues.automatic(FEBIO_FACTOR)

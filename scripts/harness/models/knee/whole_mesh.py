@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from enum import Enum
+from itertools import repeat
 
 import numpy as np
+from numpy.typing import NDArray
 
-from harness.models.knee import structured_blocks
+from harness.models.knee import anatomy, structured_blocks
 from harness.models.knee.anatomy import COMPARTMENTS, Compartment
-from harness.models.knee.structured_blocks import Block, Divisions
+from harness.models.knee.structured_blocks import Block, Divisions, Fit
 from harness.models.mesh import Ids, Mesh, Part
 from harness.models.springs import Springs
 
+Array = NDArray[np.float64]
 _Named = tuple[str, Ids]
 """A surface with its name."""
 
@@ -30,38 +34,78 @@ class Size(str, Enum):
     """About 300 000 equations."""
 
 
-DIVISIONS: Mapping[Size, Divisions] = {
+DIVISIONS = {
     Size.COARSE: Divisions((3, 12, 1), (12, 16, 1), (28, 3, 1)),
     Size.SMALL: Divisions((4, 16, 3), (16, 22, 3), (46, 5, 3)),
     Size.MEDIUM: Divisions((6, 28, 5), (28, 36, 5), (74, 8, 5)),
     Size.LARGE: Divisions((9, 40, 7), (40, 54, 7), (112, 12, 7)),
 }
+_POROUS_COARSE = Divisions((2, 8, 3), (8, 12, 3), (20, 2, 3))
+POROUS_DIVISIONS: Mapping[Size, Divisions] = {
+    size: replace(divisions, depths=structured_blocks.graded)
+    for size, divisions in (DIVISIONS | {Size.COARSE: _POROUS_COARSE}).items()
+}
+"""Those of porous bodies: at least three layers, thinner towards surface and bone, where the fluid pressure bends."""
 HORN_STIFFNESS = 2000.0
 """N/mm of all springs of a horn together: Haut Donahue et al. (2002), J Biomech Eng 124:273."""
+STAND_STIFFNESS = 1000.0
+"""N/mm of a stand at the start."""
 REACH = 8.0
 """How far from a horn, along x and y, its springs end in the bone, mm."""
 FEMORAL, TIBIAL, MENISCAL = "femoral-cartilage", "tibial-cartilage", "meniscus"
 FEMUR, TIBIA = "femur", "tibia"
+POROUS, BATH = "porous", "bath"
+"""Node sets of porous bodies: all their nodes, and those in the synovial fluid that no contact has."""
 
 
-def meshed(size: Size) -> tuple[Mesh, tuple[Springs, ...]]:
-    """The knee's mesh and the springs of its horns."""
-    divisions = DIVISIONS[size]
-    makers = (structured_blocks.femur, structured_blocks.tibia, structured_blocks.meniscus)
-    blocks = structured_blocks.numbered([make(side, divisions) for side in COMPARTMENTS for make in makers])
+@dataclass(frozen=True)
+class Meshed:
+    """A knee without materials and loads.
+
+    Attributes
+    ----------
+    mesh : Mesh
+    horns : tuple of Springs
+        Of the menisci.
+    stands : tuple of Springs
+        Between femur and tibia, one in each compartment.
+    axis : float
+        Height of the axis of flexion, mm.
+    """
+
+    mesh: Mesh
+    horns: tuple[Springs, ...]
+    stands: tuple[Springs, ...]
+    axis: float
+
+
+def meshed(size: Size, *, porous: bool = False) -> Meshed:
+    """The knee of a size."""
+    divisions = POROUS_DIVISIONS[size] if porous else DIVISIONS[size]
+    fits = [structured_blocks.touching(side, divisions) if porous else Fit(divisions.seat) for side in COMPARTMENTS]
+    sides = [structured_blocks.compartment(*each) for each in zip(COMPARTMENTS, repeat(divisions), fits, strict=False)]
+    blocks = structured_blocks.numbered(sides[0] + sides[1])
     parts: list[Part] = []
     surfaces: dict[str, Ids] = {}
     pairs: dict[str, tuple[str, str]] = {}
-    springs: list[Springs] = []
+    horns: list[Springs] = []
+    stands: list[Springs] = []
     for side, (femur, tibia, meniscus) in zip(COMPARTMENTS, (blocks[:3], blocks[3:]), strict=True):
         parts += _parts(side, femur, tibia, meniscus)
         for name, both in _contacts(side, femur, tibia, meniscus).items():
             surfaces |= dict(both)
             pairs[name] = (both[0][0], both[1][0])
-        springs += [_horn(side, meniscus, tibia, end) for end in (0, -1)]
+        horns += [_horn(side, meniscus, tibia, end) for end in (0, -1)]
+        stands.append(_stand(side, femur, tibia))
     nodes = np.concatenate([block.points.reshape(-1, 3) for block in blocks])
     sets = {"all": np.arange(1, len(nodes) + 1, dtype=np.int64)}
-    return Mesh(nodes, tuple(parts), sets, surfaces, pairs), tuple(springs)
+    if porous:
+        sets |= {
+            POROUS: np.concatenate([block.nodes[:, :, block.bone :].ravel() for block in blocks]),
+            BATH: np.concatenate([block.sides for block in blocks]),
+        }
+    axis = anatomy.SAGITTAL - fits[0].seat
+    return Meshed(Mesh(nodes, tuple(parts), sets, surfaces, pairs), tuple(horns), tuple(stands), axis)
 
 
 def _parts(side: Compartment, femur: Block, tibia: Block, meniscus: Block) -> list[Part]:
@@ -98,9 +142,20 @@ def _horn(side: Compartment, meniscus: Block, tibia: Block, end: int) -> Springs
     """Springs from each node of a meniscus's end to four nodes at the underside of the tibial bone."""
     face, under = meniscus.nodes[end].ravel(), tibia.nodes[:, :, 0].ravel()
     middle = meniscus.points[end].reshape(-1, 3).mean(axis=0)
-    places = tibia.points[:, :, 0].reshape(-1, 3)
     reach = REACH * np.array([[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]])
-    nearest = [int(np.argmin(np.linalg.norm(places[:, :2] - target, axis=1))) for target in middle[:2] + reach]
+    nearest = [_nearest(tibia.points[:, :, 0], target) for target in middle[:2] + reach]
     ends = np.array([(node, under[place]) for node in face for place in nearest], dtype=np.int64)
     name = f"{'anterior' if middle[1] > 0 else 'posterior'}-horn-{side.name}"
     return Springs(name, HORN_STIFFNESS / len(ends), ends)
+
+
+def _stand(side: Compartment, femur: Block, tibia: Block) -> Springs:
+    """A spring between the bones, upright through the middle of the compartment."""
+    middle = np.array([side.centre, 0.0])
+    ends = [block.nodes[:, :, 0].ravel()[_nearest(block.points[:, :, 0], middle)] for block in (femur, tibia)]
+    return Springs(f"stand-{side.name}", STAND_STIFFNESS, np.array([ends], dtype=np.int64))
+
+
+def _nearest(points: Array, target: Array) -> int:
+    """Which of the points is nearest to a place in x and y, by its number in the flat order."""
+    return int(np.argmin(np.linalg.norm(points.reshape(-1, 3)[:, :2] - target, axis=1)))
