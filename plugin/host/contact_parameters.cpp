@@ -46,9 +46,9 @@ mixture_contact::Integration integration(const ContactParameters& p) {
 /// Conjugate gradients: the usual choice in models with FEBio's interfaces. Dynamics: two halves of a bar of equal
 /// elements (stiffness k, mass m), joined by a contact of `factor` k, have a mode at the contact with m w^2/k = 2 + r +
 /// 1/r, where 1/r - r = 4 factor; the bar itself has 4. Explicit dynamics: a factor of 1/2 reduces the critical time
-/// step by 9 percent, a factor of 1 by 21 percent. Implicit dynamics: with a factor of 3, the mode has twice the largest
-/// frequency of the bar, and steps that resolve the elements resolve the contact. Augmentations make the contact hard
-/// for any penalty.
+/// step by 9 percent, a factor of 1 by 21 percent. Implicit dynamics: with a factor of 3, the mode has twice the
+/// largest frequency of the bar, and steps that resolve the elements resolve the contact. Augmentations make the
+/// contact hard for any penalty.
 double largest_traction_factor(SolverKind solver, mixture_contact::Enforcement enforcement) {
   const double any = std::numeric_limits<double>::infinity();
   switch (solver) {

@@ -8,7 +8,7 @@ from pathlib import Path
 from statistics import median
 
 from studies import files, tables
-from studies.ablation.ablated_runs import ALL, Ablated
+from studies.ablation.ablated_runs import Ablated
 from studies.ablation.ablated_scenes import SCENES
 from studies.pages.evidence import DATA, EvidencePage
 
@@ -84,8 +84,8 @@ def summary(found: Sequence[Pair]) -> str:
     better = sum(pair.is_better for pair in found)
     worse = sum(pair.is_worse for pair in found)
     return (
-        f"In {len(found)} comparisons of a scene with {ALL} devices and without one, the scene is worse without "
-        f"the device in {worse} and better in {better}."
+        f"The scene is worse without the device in {worse} of {len(found)} comparisons of all devices with all but "
+        f"one. It is better without the device in {better}."
     )
 
 
