@@ -452,7 +452,7 @@ def test_nothing_of_a_name_that_is_taken_is_lost(tmp_path):
     path = in_pieces(tmp_path, READ_BY[1])
     (tmp_path / "contact-mixture.feb").write_text("something else")
     before = contents(tmp_path)
-    with pytest.raises(HarnessError, match=r"contact-mixture\.feb, for the contacts of an included file, is there"):
+    with pytest.raises(HarnessError, match=r"contact-mixture\.feb, for the contacts of an included file, exists"):
         command(path)
     assert contents(tmp_path) == before
 
