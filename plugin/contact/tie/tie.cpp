@@ -53,10 +53,13 @@ BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, cons
   const Vector3d gap = loads.gap.col(n);
   const double damage = loads.damage[n];
   const bool grows = damage > tie.state().damage.damage[n] && damage < 1;
-  const BondHessian exact = bond(tie, n, gap, x).derivative;
-  if (!grows || softening == 1) return exact;
+  const BondLoad load = bond(tie, n, gap, x);
+  if (!grows || softening == 1) return load.derivative;
   const BondHessian yielding = yielding_derivative(tie.traction_penalty(n), damage, gap, normal_of(tie.nodes()[n], x));
-  return yielding + softening * (exact - yielding);
+  const BondHessian softer = load.derivative - yielding;
+  // A viscosity may stiffen a bond.
+  const bool softens = gap.dot(softer.topLeftCorner<3, 3>() * gap) < 0;
+  return softens ? yielding + softening * softer : load.derivative;
 }
 
 VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads) {
