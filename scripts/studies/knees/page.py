@@ -48,7 +48,7 @@ def headline(runs: Sequence[KneeRun]) -> str:
     ours, theirs = _sides(runs)
     return (
         f"`sliding-mixture` completes {_done(ours)} of {len(ours)} runs. FEBio's interfaces complete "
-        f"{_done(theirs)} of {len(theirs)} with three factors of their penalties."
+        f"{_done(theirs)} of {len(theirs)} with {len({run.factor for run in theirs})} factors of their penalties."
     )
 
 

@@ -110,8 +110,11 @@ class Tissues:
         return scaled if self.cartilage.solutes else replace(scaled, concentration_penalty=None)
 
 
-REST, BATH_LEVEL = 5.0, 10.0
-"""Glucose in the tissues at the start, and in the synovial fluid, mM: that after a fast, and that after a meal."""
+REST, BATH_LEVEL = 5.0, 7.0
+"""Glucose in the tissues at the start, and in the synovial fluid, mM: that after a fast, and that after a meal.
+
+Coarse elements undershoot at a front; with these levels they stay above zero, where FEBio's solver creates no solute.
+"""
 GLUCOSE = (Solute(1, diffusivity=6e-4, free_diffusivity=9e-4),)
 
 
