@@ -47,7 +47,7 @@ EVIDENCE = (
     run_tables.PAGE,
     run_times.PAGE,
     hertz.PAGE,
-    *(page for pages in knees.PAGES.values() for page in pages),
+    *knees.PAGES,
     predictor.PAGE,
     ablation.PAGE,
 )

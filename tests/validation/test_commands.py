@@ -55,7 +55,7 @@ SMALL = {
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
     "scripts/mixcontact knee --docs": "{harness} knee --help",
-    "scripts/mixcontact knee --kind porous --docs": "{harness} knee --help",
+    "scripts/mixcontact knee --kind porous": "{harness} knee --help",
     "scripts/mixcontact models knee --bodies biphasic --output knee.feb": (
         "{harness} models knee --size coarse --output knee.feb"
     ),

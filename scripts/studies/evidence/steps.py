@@ -80,13 +80,6 @@ UNTIMED = (
         alone=True,
     ),
     Step("knee", ("knee.csv",), (("knee", "--docs", "--folder", "{folder}"),), KNEE_LIMIT, alone=True),
-    Step(
-        "porous-knee",
-        ("porous-knee.csv",),
-        (("knee", "--kind", "porous", "--docs", "--folder", "{folder}"),),
-        KNEE_LIMIT,
-        alone=True,
-    ),
     Step("ablation", ("ablation.csv",), (("ablation", "--docs", "--folder", "{folder}"),), alone=True),
     Step("agreement", ("agreement.json",), (("agreement", "--docs", "--folder", "{folder}"),), alone=True),
     Step(

@@ -33,8 +33,8 @@ def knee(
 
     The command keeps completed runs.
     """
-    if docs and only:
-        raise typer.BadParameter("the documentation has all knees of a kind", param_hint="--only")
+    if docs and (only or kind is not Kind.ELASTIC):
+        raise typer.BadParameter("the documentation has all elastic knees, and no others", param_hint="--docs")
     try:
         compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))
     except ImportError as error:
@@ -49,6 +49,6 @@ def knee(
     for path in figures.draw_all(done, DOCS / "images" if docs else folder):
         console.print(str(path))
     if docs:
-        files.write_csv(found, KneeRun, DATA / page.SOURCES[kind], stamps.stamp(limit))
-        for each in page.PAGES[kind]:
+        files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
+        for each in page.PAGES:
             (DOCS / each.name).write_text(each(), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""A row of docs/data/knee.csv or porous-knee.csv."""
+"""A row of docs/data/knee.csv, and of the results of porous knees."""
 
 from __future__ import annotations
 

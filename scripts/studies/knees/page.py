@@ -1,10 +1,9 @@
-"""The pages of the knees, elastic and porous, and of their runs, from docs/data."""
+"""The page of the elastic knee, that of its runs, and tables of knees of all kinds."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from functools import partial
 from pathlib import Path
 
 from harness.models.interface import InterfaceType
@@ -15,26 +14,25 @@ from studies.pages.evidence import DATA, EvidencePage
 
 LIMIT = 900.0
 """s of processor time for one run."""
-SOURCES = {Kind.ELASTIC: "knee.csv", Kind.POROUS: "porous-knee.csv"}
+SOURCE = "knee.csv"
 _OURS = InterfaceType.MIXTURE.value
 _LIMITS = "The coarse mesh does not resolve the pressure. No conforming reference decides between the pressures."
 
 
-def figures(kind: Kind) -> Mapping[str, str]:
-    """What the text of the page of a kind leaves open."""
-    runs = _runs(kind)
-    found = {"headline": headline(runs), "compared": compared(runs), "limits": limits(runs)}
-    return found if kind is Kind.ELASTIC else {**found, "fluid": fluid(runs)}
+def figures() -> Mapping[str, str]:
+    """What the text of the page leaves open."""
+    runs = _runs()
+    return {"headline": headline(runs), "compared": compared(runs), "limits": limits(runs)}
 
 
-def runs_of_table(kind: Kind) -> Mapping[str, str]:
+def figures_of_tables() -> Mapping[str, str]:
     """The tables with a row for each run."""
-    runs = _runs(kind)
+    runs = _runs()
     return {"runs": table(runs), "compartments": compartments(runs)}
 
 
-def _runs(kind: Kind) -> list[KneeRun]:
-    return files.read_csv(DATA / SOURCES[kind], KneeRun)
+def _runs() -> list[KneeRun]:
+    return files.read_csv(DATA / SOURCE, KneeRun)
 
 
 def limits(runs: Sequence[KneeRun]) -> str:
@@ -84,20 +82,6 @@ def _compared(mine: KneeRun, theirs: Sequence[KneeRun]) -> list[tuple[str, ...]]
     ]
 
 
-def fluid(runs: Sequence[KneeRun]) -> str:
-    """Share of the load that the fluid bears, and solute that appears, in runs with `sliding-mixture`."""
-    rows = [
-        (_scene(run), *(f"{share:.3f}" for share in (run.fluid_most, run.fluid_last)), _appeared(run))
-        for run in _sides(runs)[0]
-        if math.isfinite(run.fluid_most)
-    ]
-    return tables.markdown(("knee", "largest", "last", "solute that appears"), rows)
-
-
-def _appeared(run: KneeRun) -> str:
-    return f"{run.appeared:.0e}" if math.isfinite(run.appeared) else "-"
-
-
 def _times(mine: KneeRun, other: KneeRun) -> tuple[str, ...]:
     """Iterations, time, memory and overlap over those of another run."""
     ratios = (mine.iterations / other.iterations, mine.seconds / other.seconds, mine.memory / other.memory)
@@ -144,13 +128,8 @@ def _passing(run: KneeRun) -> list[str]:
     return [", ".join(f"{value:{form}}" for value in values) for values, form in numbers]
 
 
-def _pages(kind: Kind, name: str) -> tuple[EvidencePage, EvidencePage]:
-    """The page of a kind, and that of its tables."""
-    sources, here = (SOURCES[kind],), Path(__file__).parent
-    return (
-        EvidencePage(f"evidence/{name}.md", sources, here / f"{name}.md", partial(figures, kind)),
-        EvidencePage(f"reference/{name}-runs.md", sources, here / f"{name}-runs.md", partial(runs_of_table, kind)),
-    )
-
-
-PAGES = {Kind.ELASTIC: _pages(Kind.ELASTIC, "knee"), Kind.POROUS: _pages(Kind.POROUS, "porous-knee")}
+_HERE = Path(__file__).parent
+PAGES = (
+    EvidencePage("evidence/knee.md", (SOURCE,), _HERE / "knee.md", figures),
+    EvidencePage("reference/knee-runs.md", (SOURCE,), _HERE / "knee-runs.md", figures_of_tables),
+)
