@@ -121,7 +121,7 @@ def flexure_by_theory(strips: Strips, deflection: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("strips", [FLEXURE, replace(FLEXURE, cells=4, finer=1)], ids=["6 facets", "4 facets"])
+@pytest.mark.parametrize("strips", [FLEXURE, replace(FLEXURE, cells=4, finer=1)], ids=["six a mm", "four a mm"])
 def test_a_flexure_bears_the_load_of_beam_theory(solve, strips):
     folder = solved(solve, f"flexure-{strips.cells}", end_notched_flexure(strips).text())
     assert (folder / "model.log").read_text().count("failed to converge") <= 3
