@@ -50,7 +50,7 @@ def test_the_headline_says_whose_errors_are_smaller():
     assert "nearer to the fine one in 1 of 2 quantities" in page.headline(rows)
     said = page.details(rows)
     assert "nearer to the fine answer in 1 of 1 forces, approaches, areas and contents" in said
-    assert "contents and 0 of 1 fields (L2)." in said
+    assert "contents and in 0 of 1 fields (L2)." in said
     assert "1.0 to 1.0 % in the converted model and 2.0 to 2.0 % with FEBio's interface" in said
     table = page.tables(rows).splitlines()
     assert table[4].startswith("| area of facets")

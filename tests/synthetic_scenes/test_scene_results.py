@@ -25,7 +25,7 @@ def test_the_predictor_is_compared_where_both_runs_end():
     predicted = Took(True, 10, 20, 0, difference=0.01)
     told = scene_results.summary([*ROWS, Row("three", "three bodies", FEBIO, ENDED, ENDED, predicted)])
     assert (
-        "is available in 2 scenes. 1 of these complete. The 1 that complete with it and without it take 20 iterations"
+        "is available in 2 scenes. 1 of these complete. The 1 scenes that complete in both ways take 20 iterations"
         in told
     )
 
