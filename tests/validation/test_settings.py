@@ -69,7 +69,7 @@ def test_a_penalty_follows_its_load_curve(runner):
 def test_a_penalty_of_zero_transmits_nothing_and_says_so(runner):
     run = _pressed(runner, "no-penalty", Param("penalty", 0.0))
     assert np.all(force(run) == 0.0)
-    assert "<penalty> is 0: no traction is transmitted" in run.log
+    assert "<penalty> is 0: the contact transmits no traction" in run.log
 
 
 def test_a_penalty_of_zero_has_no_effect_in_the_log_and_no_entries(runner):
