@@ -56,9 +56,8 @@ SMALL = {
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
     "scripts/mixcontact knee --docs": "{harness} knee --help",
     "scripts/mixcontact knee --kind porous": "{harness} knee --help",
-    "scripts/mixcontact models knee --bodies biphasic --output knee.feb": (
-        "{harness} models knee --size coarse --output knee.feb"
-    ),
+    "scripts/mixcontact models knee --output knee.feb": "{harness} models knee --size coarse --output knee.feb",
+    "scripts/mixcontact ablation --docs": "{harness} ablation --help",
     "scripts/mixcontact hard-cases --docs": "{harness} hard-cases --help",
     "scripts/mixcontact hard-cases --only edge-on-face": "{harness} hard-cases --help",
     "scripts/mixcontact fuzz --minutes 60 --seed 0": "{harness} fuzz --help",
