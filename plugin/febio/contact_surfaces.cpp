@@ -83,7 +83,8 @@ void ContactSurfaces::relocate_primary(const Matrix3Xd& positions) {
     node.m_rt = vec3d(positions(0, i), positions(1, i), positions(2, i));
     node.m_r0 = node.m_rt;
   }
-  // Elements store their Jacobians in the reference configuration, which FEBio otherwise computes at its start only.
+  // Elements store the Jacobians of the reference configuration. FEBio computes these only at the start, so they are
+  // computed again here.
   FEMesh& mesh = primary_.GetFEModel()->GetMesh();
   for (int i = 0; i < mesh.Domains(); ++i) {
     auto* domain = dynamic_cast<FESolidDomain*>(&mesh.Domain(i));

@@ -36,7 +36,8 @@ class NodeEquations {
   std::vector<newton::Condition::Entry> entries(const Location& at, const mixture_contact::VectorXd& values) const;
   /// The equations of all degrees of freedom of a node, exchanged or not, that have equations of their own.
   std::vector<int> unknowns(Side surface, int node) const;
-  /// The displacements of the surfaces' nodes by an increment [mm]; zero for nodes without equations of their own.
+  /// The displacements of the surfaces' nodes that follow from an increment of the unknowns [mm]; zero for nodes
+  /// without equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   /// True if a node of a local vector belongs to a rigid body, which then provides its equations.
   bool are_rigid(const Location& at) const;

@@ -21,8 +21,9 @@ struct SettledModel {
   double time_increment;                    ///< time increment [s]
 };
 
-/// Opens nodes in tension and closes overlapping nodes at the end of the iteration, before FEBio solves. If the
-/// prediction does not converge, no node changes. Returns true if any node has opened or closed.
+/// Before FEBio solves, opens the nodes that the prediction finds in tension at the end of the iteration, and closes
+/// those that it finds overlapping. If the prediction does not converge, no node changes. Returns true if any node has
+/// opened or closed.
 bool settle(const SettledModel& model, newton::KeptMatrix& matrix);
 
 /// The conditions that correct the matrix for the present status of these contacts (see Assembly::conditions()).

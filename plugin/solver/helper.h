@@ -70,7 +70,7 @@ class Helper {
   virtual void archive(Archive& /*archive*/) {}
 };
 
-/// The helpers of a model. A helper that is switched off only takes part in restarts; switching takes effect at the
+/// The helpers of a model. A helper that is switched off takes part only in restarts, after a call of let_go() at the
 /// start of iterations.
 class Helpers {
  public:

@@ -7,7 +7,8 @@
 namespace standalone {
 namespace {
 
-/// Derivative of the point forces with the point fields. In rows and columns, the entry of a field is 4 * column + row.
+/// Derivative of the point forces with respect to the point fields. In rows and columns, the entry of a field is 4 *
+/// column + row.
 Eigen::Matrix<double, 4 * max_fields, 4 * max_fields> point_tangent(const Material& material, double gas_energy,
                                                                     double dt, const PointHistory& last,
                                                                     const PointFields<double>& q) {

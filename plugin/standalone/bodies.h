@@ -26,8 +26,8 @@ class Bodies {
   /// nodal values, shape (dofs, nodes). Throws StepFailure if the element is inverted.
   VectorXd residual(std::size_t e, const MatrixXd& values, double dt) const;
 
-  /// The exact derivative of residual() with the element's nodal values, by automatic differentiation of the law at
-  /// each point.
+  /// The exact derivative of residual() with respect to the element's nodal values, by automatic differentiation of the
+  /// law at each point.
   MatrixXd tangent(std::size_t e, const MatrixXd& values, double dt) const;
 
   /// Stores J and the contents at these nodal values as the start of the next time step.

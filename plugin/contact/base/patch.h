@@ -53,7 +53,8 @@ struct Patch {
   }
 };
 
-/// A part of a tangent: the derivatives of the equations of one effect by the unknowns on which they depend.
+/// A part of a tangent: the derivatives of the equations of one effect with respect to the unknowns on which they
+/// depend.
 struct TangentBlock {
   Patch rows;       ///< for the traction, the displacements; for a flux, its field
   Patch columns;    ///< for the traction, the displacements; for a flux, the displacements and its field
@@ -73,9 +74,9 @@ struct LoadBlock {
   LoadPlace place;
   Patch rows;     ///< equations in which the load acts, as TangentBlock::rows
   VectorXd work;  ///< virtual work of a unit load, size rows.layout().size()
-  /// Derivatives of the gap or jump by the unknowns in place.columns, size place.columns.layout().size().
+  /// Derivatives of the gap or jump with respect to the unknowns in place.columns, size place.columns.layout().size().
   VectorXd variation;
-  double factor = 0;  ///< derivative of the load by the gap or jump
+  double factor = 0;  ///< derivative of the load with respect to the gap or jump
 
   /// The tangent block work factor variation^T.
   TangentBlock product() const { return {rows, place.columns, (factor * work) * variation.transpose()}; }

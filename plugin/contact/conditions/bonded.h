@@ -5,7 +5,7 @@
 
 namespace mixture_contact {
 
-/// The traction of a bond, and its derivative with the gap vector.
+/// The traction of a bond, and its derivative with respect to the gap vector.
 struct BondedTraction {
   Vector3d value;  ///< on the primary surface [MPa]
   double d_gap;    ///< factor of the identity in dt/dD [N/mm^3]

@@ -6,7 +6,7 @@
 namespace mixture_contact {
 namespace {
 
-/// A quantity and its derivative with the gap vector and the normal.
+/// A quantity and its derivative with respect to the gap vector and the normal.
 struct Derived {
   double value = 0;
   BondGradient derivative;
@@ -94,7 +94,7 @@ Derived growing_damage(const Range& range, const Derived& r, const Derived& mode
   return {end * (size - begin) / (size * softening), d_size * r.derivative + d_mode * mode.derivative};
 }
 
-/// Second derivatives of D_n with the gap vector and the normal.
+/// Second derivatives of D_n with respect to the gap vector and the normal.
 BondHessian hessian_of_normal_part() {
   BondHessian hessian = BondHessian::Zero();
   hessian.topRightCorner<3, 3>().setIdentity();

@@ -5,8 +5,8 @@
 ///
 ///     psi = K/2 [(1 - d) lambda^2 + min(0, D_n)^2],    D_n = D.n,    lambda^2 = |D|^2 - min(0, D_n)^2
 ///
-/// Damage does not affect compression. Loads are the derivatives of psi with D and with n; the forces of a bond then
-/// have no moment. With the fraction B of shear in lambda^2,
+/// Damage does not affect compression. Loads are the derivatives of psi with respect to D and n; the forces of a
+/// bond then have no moment. With the fraction B of shear in lambda^2,
 ///
 ///     d = f (lambda - o)/(lambda (f - o)) for lambda between o and f; d never decreases
 ///     (K o)^2 = sigma_c^2 + (tau_c^2 - sigma_c^2) B^eta,    f = 2 (G_n + (G_s - G_n) B^eta)/(K o)
@@ -29,9 +29,9 @@ struct Cohesive {
   double pace = 1;  ///< factor dt/(dt + tau) of the step; 1 without a viscosity tau [-]
 };
 
-/// Derivative of the energy with the gap vector and with the normal, in this order.
+/// Derivative of the energy with respect to the gap vector and the normal, in this order.
 using BondGradient = Eigen::Matrix<double, 6, 1>;
-/// Second derivatives of the energy with the gap vector and with the normal.
+/// Second derivatives of the energy with respect to the gap vector and the normal.
 using BondHessian = Eigen::Matrix<double, 6, 6>;
 
 /// The loads of a bond and its damage.

@@ -10,8 +10,8 @@ namespace mixture_contact {
 /// The friction bound T_max and its derivatives.
 struct FrictionBound {
   double value;
-  double d_traction;  ///< derivative with the normal traction t_n
-  double d_pressure;  ///< derivative with the excess pressure p~ - p*
+  double d_traction;  ///< derivative with respect to the normal traction t_n
+  double d_pressure;  ///< derivative with respect to the excess pressure p~ - p*
 };
 
 /// The bound T_max = mu <-t_n - (1 - phi) (p~ - p*)> [MPa], where <x> = max(0, x). `normal_traction`: t_n, negative in
@@ -26,8 +26,8 @@ FrictionBound linear_friction_bound(const FrictionRule& rule, double normal_trac
 /// A friction traction and its derivatives.
 struct FrictionTraction {
   Vector3d value;
-  Eigen::Matrix3d d_trial;  ///< derivative with the trial traction tau
-  Vector3d d_bound;         ///< derivative with the friction bound T_max
+  Eigen::Matrix3d d_trial;  ///< derivative with respect to the trial traction tau
+  Vector3d d_bound;         ///< derivative with respect to the friction bound T_max
 };
 
 /// The friction of a sticking node: t_T = tau.

@@ -3,7 +3,7 @@
 
 namespace mixture_contact {
 
-/// Value of a law and its derivative with the gap or jump it depends on.
+/// Value of a law and its derivative with respect to the gap or jump it depends on.
 struct LawValue {
   double value;
   double derivative;

@@ -11,7 +11,7 @@ inline constexpr double multiplier_compliance = 1e-11;
 /// The value of a multiplier's equation and its derivatives.
 struct ConditionValue {
   double value;
-  double d_dgap;         ///< derivative with the gap or jump
+  double d_dgap;         ///< derivative with respect to the gap or jump
   double d_dmultiplier;  ///< derivative with mu
 };
 

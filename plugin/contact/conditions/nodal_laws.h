@@ -95,7 +95,7 @@ class NodalLaws {
   bool may_meet_itself() const { return primary_.may_meet_itself(); }
   /// The condition between traction and gap.
   const NormalCondition& normal() const { return normal_condition(settings_.gap); }
-  /// The trial load lambda_n + eps_n g of a node [MPa], in contact or not, and its derivative with the gap.
+  /// The trial load lambda_n + eps_n g of a node [MPa], in contact or not, and its derivative with respect to the gap.
   LawValue traction_trial(Index node, double gap) const {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
   }

@@ -21,7 +21,7 @@ class NormalCondition {
   NormalCondition& operator=(NormalCondition&&) = delete;
   virtual ~NormalCondition() = default;
 
-  /// The normal traction t_n [MPa] and its derivative with the gap: the trial in contact, 0 elsewhere.
+  /// The normal traction t_n [MPa] and its derivative with respect to the gap: the trial in contact, 0 elsewhere.
   static LawValue load(const LawValue& trial, bool in_contact) { return in_contact ? trial : LawValue{0, 0}; }
   /// The admissible traction that is nearest to `traction` [MPa].
   virtual double admissible(double traction) const = 0;

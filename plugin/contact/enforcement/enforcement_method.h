@@ -64,7 +64,7 @@ class EnforcementMethod {
   Patch flux_columns(const Patch& patch, int field) const;
 
  protected:
-  /// Variation of a flux with the displacements (if any) and fields in `columns`, in their order.
+  /// Variation of a flux with respect to the displacements (if any) and fields in `columns`, in their order.
   VectorXd flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear, const Patch& columns) const;
   const MortarSpace& space() const { return space_; }
   const NodalLaws& laws() const { return laws_; }

@@ -13,7 +13,7 @@ namespace {
 /// Numbers of nodes of both surfaces in one sequence: primary nodes, then secondary nodes.
 using Numbers = IndexedVector<Index>;
 
-/// Positions of nodes in the columns of a row.
+/// The column of each node in a row, by node number.
 class Places {
  public:
   explicit Places(Index nodes) : places_(nodes, none) {}

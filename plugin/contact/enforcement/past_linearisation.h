@@ -11,10 +11,10 @@ namespace mixture_contact {
 /// The largest relative change up to which a linearisation may be reused: motions relative to the shortest edge of a
 /// facet, field values relative to their range, loads relative to the largest load.
 ///
-/// A tangent with the relative error delta leaves the fraction delta of a gap's increment. The penalty eps makes a load
-/// of this gap, of which the fraction delta acts sideways and moves the bodies by the fraction eps delta^2/k of the
-/// increment, where k is the stiffness of the adjoining elements (for a flux, the conductance). This fraction has to be
-/// at most a tenth; the change is also limited to 1/1000. The limits are choices.
+/// A tangent with the relative error delta leaves the fraction delta of a gap's increment. The penalty eps turns this
+/// remaining gap into a load. The fraction delta of the load acts sideways, and moves the bodies by the fraction eps
+/// delta^2/k of the increment, where k is the stiffness of the adjoining elements (for a flux, the conductance). That
+/// fraction is at most a tenth, and the change at most 1/1000. Both limits are choices.
 double same_to_linearisation(const NodalLaws& laws);
 
 /// The data from which a linearisation was computed.

@@ -32,7 +32,7 @@ class PenaltyMethod : public EnforcementMethod {
                          double dt) const;
   /// The derivative dt_T/du of a sliding node at constant pressures.
   Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
-  /// Adds the variation of a sliding node's friction with the fluid pressures.
+  /// Adds the variation of a sliding node's friction with respect to the fluid pressures.
   void add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                           std::vector<TangentBlock>& blocks) const;
 };

@@ -41,7 +41,7 @@ Vector2d parametric_node(FacetType type, int node);
 /// Distance in parametric coordinates by which a point lies outside the facet's domain; 0 inside.
 double distance_outside(FacetType type, const Vector2d& xi);
 
-/// Shape functions N_a(xi) and their derivatives with xi.
+/// Shape functions N_a(xi) and their derivatives with respect to xi.
 struct ShapeFunctions {
   FacetVector value;       ///< shape functions N_a, shape (n)
   FacetGradient gradient;  ///< derivatives dN_a/dxi_alpha, shape (n, 2)
@@ -52,7 +52,7 @@ ShapeFunctions shape_functions(FacetType type, const Vector2d& xi);
 
 /// Shape functions of a tri3 at xi: its area coordinates [-].
 inline Vector3d area_coordinates(const Vector2d& xi) { return {1 - xi[0] - xi[1], xi[0], xi[1]}; }
-/// Derivatives of a tri3's area coordinates with xi, shape (3, 2).
+/// Derivatives of a tri3's area coordinates with respect to xi, shape (3, 2).
 inline Eigen::Matrix<double, 3, 2> area_gradient() {
   return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
 }
@@ -60,7 +60,7 @@ inline Eigen::Matrix<double, 3, 2> area_gradient() {
 /// The derivatives dN_a/dxi_alpha at a node of the facet, shape (n, 2).
 const FacetGradient& gradient_at_node(FacetType type, int node);
 
-/// Second derivatives of the shape functions with xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
+/// Second derivatives of the shape functions with respect to xi: columns N_a,11, N_a,22, N_a,12, shape (n, 3).
 FacetHessian shape_hessian(FacetType type, const Vector2d& xi);
 
 /// A linear piece of a facet: a triangle or a quadrilateral between some of its nodes. The nodes are given by their

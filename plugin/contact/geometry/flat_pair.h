@@ -1,5 +1,5 @@
-/// Residual and tangent of two flat triangles that face each other, with integration points that count as fixed on
-/// them.
+/// Residual and tangent of two flat triangles that face each other. The integration points are treated as fixed on the
+/// triangles.
 ///
 /// Gradients, normal and area element are the same at all points of such a pair. Gap, projected point and nodal forces
 /// are linear in the shape functions N1 and N2. Sums over the points with the weights w psi_c, for a node c of the
@@ -27,9 +27,11 @@ struct FlatMoments {
 using TriangleCoordinates = Eigen::Matrix3d;
 /// One number per node of a flat pair, primary nodes first.
 using FlatNodes = Eigen::Matrix<double, 6, 1>;
-/// Variation of a number with the positions of a flat pair's nodes: three entries per node, primary nodes first.
+/// Variation of a number with respect to the positions of a flat pair's nodes: three entries per node, primary nodes
+/// first.
 using FlatVariation = Eigen::Matrix<double, 18, 1>;
-/// Derivative of nodal forces with nodal positions: three rows and three columns per node, primary nodes first.
+/// Derivative of nodal forces with respect to nodal positions: three rows and three columns per node, primary nodes
+/// first.
 using FlatTangent = Eigen::Matrix<double, 18, 18>;
 
 /// Geometry of two flat triangles with their moments. Its members give the gaps, forces and areas of the pair.
@@ -51,8 +53,8 @@ struct FlatPair {
 /// The flat pair with these moments at these nodal positions.
 FlatPair flat_pair(const FlatMoments& moments, const TriangleCoordinates& x1, const TriangleCoordinates& x2);
 
-/// First variations with the nodal positions x_b that are the same at all points of a flat pair. b counts primary
-/// nodes, n all nodes.
+/// First variations with respect to the nodal positions x_b that are the same at all points of a flat pair. b counts
+/// primary nodes, n all nodes.
 struct FlatVariations {
   Eigen::Matrix3d area_vector;         ///< variation of the area vector, columns w_b: da = sum_b w_b x dx_b
   Eigen::Matrix3d area;                ///< variation of the area element, columns m_b: d|a| = sum_b m_b.dx_b
@@ -104,8 +106,8 @@ struct FlatSums {
   Vector3d with_secondary(Index b, Index c) const { return -secondary[c] * with_place.col(b); }
 };
 
-/// Terms of the derivative of nodal flows with the positions at fixed nodal fluxes. The flow is S1_b |a| at a primary
-/// node and -S2_b |a| at a secondary node.
+/// Terms of the derivative of nodal flows with respect to the positions at fixed nodal fluxes. The flow is S1_b |a| at
+/// a primary node and -S2_b |a| at a secondary node.
 struct FlatFlows {
   FlatSums fluxes;            ///< sums of the fluxes
   double area;                ///< area element |a|
@@ -115,11 +117,11 @@ struct FlatFlows {
 /// The terms for fluxes at the primary nodes; `flux`: fluxes times the time increment.
 FlatFlows flat_flows(const FlatPair& pair, const FlatVariations& vary, const Vector3d& flux);
 
-/// The exact derivative of the flow at a primary node with the positions of the primary nodes. It does not depend on
-/// the secondary nodes.
+/// The exact derivative of the flow at a primary node with respect to the positions of the primary nodes. It does not
+/// depend on the secondary nodes.
 Eigen::Matrix<double, 1, 9> primary_rows(const FlatFlows& flows, Index node);
 
-/// The exact derivative of the flow at a secondary node with the positions of all nodes of the pair.
+/// The exact derivative of the flow at a secondary node with respect to the positions of all nodes of the pair.
 Eigen::Matrix<double, 1, 18> secondary_rows(const FlatFlows& flows, Index node);
 
 /// The exact derivative of the flows at all nodes, one row per node, primary nodes first.
@@ -136,11 +138,11 @@ struct FlatForces {
 /// The terms for normal tractions at the primary nodes.
 FlatForces flat_forces(const FlatPair& pair, const FlatVariations& vary, const Vector3d& traction);
 
-/// The exact derivative of the force at a primary node with the positions of the primary nodes. It does not depend on
-/// the secondary nodes.
+/// The exact derivative of the force at a primary node with respect to the positions of the primary nodes. It does not
+/// depend on the secondary nodes.
 Eigen::Matrix<double, 3, 9> primary_rows(const FlatForces& forces, Index node);
 
-/// The exact derivative of the force at a secondary node with the positions of all nodes of the pair.
+/// The exact derivative of the force at a secondary node with respect to the positions of all nodes of the pair.
 Eigen::Matrix<double, 3, 18> secondary_rows(const FlatForces& forces, Index node);
 
 /// The exact derivative of the forces at all nodes.

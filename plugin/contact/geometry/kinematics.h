@@ -1,5 +1,5 @@
-/// Kinematics of one integration point: area vector, gap, projected point, and their exact variations with the nodal
-/// positions.
+/// Kinematics of one integration point: area vector, gap, projected point, and their exact variations with respect to
+/// the nodal positions.
 #pragma once
 
 #include "geometry/facet.h"
@@ -38,8 +38,8 @@ PointKinematics point_kinematics(const ShapeFunctions& primary, const FacetCoord
 void move_on_flat_facets(PointKinematics& point, const FacetVector& primary, const FacetCoordinates& x1,
                          const FacetVector& secondary, const FacetCoordinates& x2);
 
-/// Variations of a point's position on the primary facet and of its weight with the nodal positions of both facets.
-/// Both are empty for a point that is fixed on the facet.
+/// Variations of a point's position on the primary facet and of its weight with respect to the nodal positions of both
+/// facets. Both are empty for a point that is fixed on the facet.
 struct PointMotion {
   PairVariation<2> xi;                                  ///< variation d xi_alpha of the position on the primary facet
   PairVariation<1> weight;                              ///< relative variation d(weight)/weight
@@ -54,11 +54,11 @@ struct PointMotion {
 PairVariation<3> area_vector_variation(const Eigen::Matrix<double, 3, 2>& tangents, const FacetGradient& gradient,
                                        Index nodes);
 
-/// Derivative of an area vector with xi. `tangents`: x,alpha. `curvature`: columns x,11, x,22, x,12.
+/// Derivative of an area vector with respect to xi. `tangents`: x,alpha. `curvature`: columns x,11, x,22, x,12.
 Eigen::Matrix<double, 3, 2> area_vector_slope(const Eigen::Matrix<double, 3, 2>& tangents,
                                               const Eigen::Matrix3d& curvature);
 
-/// First variations of a point's kinematics with the nodal positions of both facets, three columns per node.
+/// First variations of a point's kinematics with respect to the nodal positions of both facets, three columns per node.
 struct KinematicVariations {
   PairVariation<1> gap;          ///< variation dg of the gap
   PairVariation<2> eta;          ///< variation d eta_beta: motion of the projected point on the secondary facet

@@ -25,7 +25,7 @@ Vector3d slip(const PastPoint& past);
 /// the step. It computes no tangents at the start of the step, which only the derivatives of the slip need.
 Vector3d slip(const PointKinematics& point, const FacetCoordinates& past1, const FacetCoordinates& past2);
 
-/// Derivative of the unit normal N1 with xi. `curvature`: columns X1,11, X1,22, X1,12.
+/// Derivative of the unit normal N1 with respect to xi. `curvature`: columns X1,11, X1,22, X1,12.
 Eigen::Matrix<double, 3, 2> normal_slope(const PastPoint& past, const Eigen::Matrix3d& curvature);
 
 /// Derivatives r,eta of the slip with the position eta of the secondary point.

@@ -10,7 +10,7 @@
 namespace mixture_contact {
 namespace {
 
-/// The area vector in the middle of a facet, and its variation with the nodal positions.
+/// The area vector in the middle of a facet, and its variation with respect to the nodal positions.
 struct MiddleArea {
   MiddleArea(FacetType type, const FacetCoordinates& x)
       : gradient(shape_functions(type, parametric_centre(type)).gradient),

@@ -11,7 +11,7 @@
 
 namespace mixture_contact {
 
-/// A number with its derivatives by the two coordinates of each of `Corners` corners.
+/// A number with its derivatives with respect to the two coordinates of each of `Corners` corners.
 template <int Corners>
 using VaryingNumber = Eigen::AutoDiffScalar<Eigen::Matrix<double, 2 * Corners, 1>>;
 
@@ -63,8 +63,8 @@ Number cross(const Place<Number>& one, const Place<Number>& two) {
   return one.x * two.y - one.y * two.x;
 }
 
-/// A corner as an independent variable: the given coordinates, whose derivatives by themselves are 1. `corner` is its
-/// number.
+/// A corner as an independent variable: the given coordinates, whose derivatives with respect to themselves are 1.
+/// `corner` is its number.
 template <class Number>
 Place<Number> corner_place(const Vector2d& value, int corner) {
   if constexpr (std::is_same_v<Number, double>) {
@@ -75,7 +75,7 @@ Place<Number> corner_place(const Vector2d& value, int corner) {
   }
 }
 
-/// Derivatives of a number by the two coordinates of a corner.
+/// Derivatives of a number with respect to the two coordinates of a corner.
 template <class Variation>
 Eigen::RowVector2d by_corner(const Eigen::AutoDiffScalar<Variation>& number, Index corner) {
   return number.derivatives().template segment<2>(2 * corner).transpose();

@@ -38,7 +38,7 @@ struct PlacedFacet {
 
 PlacedFacet placed(const Facet& facet, const Matrix3Xd& x) { return {facet.type, facet_coordinates(facet, x)}; }
 
-/// The facing share of two facets.
+/// The weight of a pair of facets by the angle between their normals (see facing_share.h), 0 to 1.
 double share_of(const PlacedFacet& primary, const PlacedFacet& secondary) {
   return facing_share(middle_normal(primary.type, primary.x), middle_normal(secondary.type, secondary.x));
 }
@@ -117,8 +117,8 @@ double carried_weight(const PlacedFacet& facet, const Sample<double>& sample, co
   return sample.point.area / tangents.col(0).cross(tangents.col(1)).dot(sample.view.normal);
 }
 
-/// Adds the variation of numbers with the corners of a piece of one facet. `first_node`: number of the facet's first
-/// node in the pair. `by_corner`: derivatives of the numbers by the projection of a corner.
+/// Adds the variation of numbers with respect to the corners of a piece of one facet. `first_node`: number of the
+/// facet's first node in the pair. `by_corner`: derivatives of the numbers with respect to the projection of a corner.
 template <int R, class ByCorner>
 void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& facet, const Corners& piece,
                  Index first_node, const ByCorner& by_corner) {
@@ -138,7 +138,7 @@ void add_corners(SeenVariation<R>& sum, const View& view, const PlacedFacet& fac
   }
 }
 
-/// Variation of the position xi and of the weight of a sample with the nodal positions of both facets.
+/// Variation of the position xi and of the weight of a sample with respect to the nodal positions of both facets.
 ///
 /// In the projection along n, the sample is at y and the primary facet at q(xi) = SUM N_a q_a. The condition q(xi) = y
 /// gives xi; the weight is area/(q,1 x q,2).

@@ -41,12 +41,13 @@ class SeenVariation {
  public:
   explicit SeenVariation(Index nodes) : by_node_(Eigen::Matrix<double, R, Eigen::Dynamic>::Zero(R, 2 * nodes)) {}
 
-  /// Adds the derivatives of the numbers by the projection of a node at a height.
+  /// Adds the derivatives of the numbers with respect to the projection of a node. `height`: height of the node above
+  /// the plane.
   void add(Index node, double height, const Eigen::Matrix<double, R, 2>& by_place) {
     by_node_.template middleCols<2>(2 * node) += by_place;
     by_tilt_ -= height * by_place;
   }
-  /// The variation of the numbers with the nodal positions, in the order of the nodes of the pair.
+  /// The variation of the numbers with respect to the nodal positions, in the order of the nodes of the pair.
   PairVariation<R> with_nodes(const View& view, const ViewTilt& tilt) const {
     PairVariation<R> variation(R, 3 * by_node_.cols() / 2);
     for (Index node = 0; 2 * node < by_node_.cols(); ++node) {

@@ -234,7 +234,7 @@ struct SlidingPoint {
   Index turning = 0;                    ///< as NodeLinearisation::Friction::turning, for the nodes of the pair
   double pressure = 0;                  ///< pressure |a| (p~ - p*); without fluid, the next two members are empty
   PairVariation<1> pressure_variation;  ///< variation of |a| (p~ - p*) at fixed nodal values, plus |a| (p~ - p*) dw/w
-  PairVector pressure_weights;          ///< derivatives of |a| (p~ - p*) with the nodal values of p~
+  PairVector pressure_weights;          ///< derivatives of |a| (p~ - p*) with respect to the nodal values of p~
 };
 
 void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const VaryingPoint& point) {

@@ -12,7 +12,7 @@ struct NodeLinearisation {
   /// a unit flux.
   struct Jump {
     VectorXd projection_variation;  ///< derivative djump/du, in the order of gap_variation
-    /// Derivatives of the jump with the field's nodal values, in the order of patch.of_field(field, false).
+    /// Derivatives of the jump with respect to the field's nodal values, in the order of patch.of_field(field, false).
     VectorXd weights;
   };
   /// First variations of the averages on which friction depends; empty without friction. Rows are vector components.
@@ -26,7 +26,7 @@ struct NodeLinearisation {
     /// Virtual work of a unit friction traction, sum_q w psi_a |a| h, one entry per node of the patch.
     VectorXd work;
     VectorXd pressure_variation;  ///< derivative d(p~ - p*)/du at fixed nodal values, in the order of gap_variation
-    /// Derivative of p~ - p* with the nodal values of p~, one per node of the patch; empty without fluid.
+    /// Derivative of p~ - p* with respect to the nodal values of p~, one per node of the patch; empty without fluid.
     VectorXd pressure_weights;
 
     /// The number of nodes, from the first of the patch, on which the mean normal or the node's area depends: all nodes

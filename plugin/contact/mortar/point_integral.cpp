@@ -12,8 +12,8 @@ PairVariation<1> weight_variation(const PointKinematics& point, const KinematicV
 }
 
 /// Adds the derivative of the nodal forces h_a F, three rows per node, where F is the force on the primary side.
-/// `dforce`: variation of F with the positions of the first nodes of the pair; it does not depend on nodes without
-/// columns.
+/// `dforce`: variation of F with respect to the positions of the first nodes of the pair; it does not depend on nodes
+/// without columns.
 void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
                        const PairVariation<3>& dforce, MatrixXd& tangent) {
   const Index first = point.primary_nodes();

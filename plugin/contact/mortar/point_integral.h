@@ -32,9 +32,9 @@ struct PointLoads {
 /// each other. Rows of field k: w dt |a| q_k h_a [mm^3 or nmol], with h = (N1, -N2).
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
-/// Adds the exact derivative of the displacement rows of add_residual() with the nodal positions, eq (2.6). It includes
-/// the changes of da1, of n1, of the projected position and of the interpolated tractions; nodal values of t_T are
-/// constant. Rows and columns contain displacements only.
+/// Adds the exact derivative of the displacement rows of add_residual() with respect to the nodal positions, eq (2.6).
+/// It includes the changes of da1, of n1, of the projected position and of the interpolated tractions; nodal values of
+/// t_T are constant. Rows and columns contain displacements only.
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent);
 

@@ -42,11 +42,11 @@ BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair
 
 /// The excess pressure p~ - p* at a point.
 double pressure_at(const BearingPressure& pressure, const PointKinematics& point);
-/// Variation of the excess pressure with the nodal positions at fixed nodal values: its change as the point moves on
-/// its facet.
+/// Variation of the excess pressure with respect to the nodal positions at fixed nodal values: its change as the point
+/// moves on its facet.
 PairVariation<1> pressure_variation(const BearingPressure& pressure, const PointKinematics& point,
                                     const KinematicVariations& vary);
-/// Derivatives of the excess pressure at a point with the values of p~ at the nodes of the pair.
+/// Derivatives of the excess pressure at a point with respect to the values of p~ at the nodes of the pair.
 PairVector pressure_weights(const BearingPressure& pressure, const PointKinematics& point);
 
 }  // namespace mixture_contact

@@ -1,4 +1,4 @@
-/// Variation of the trial friction tau_a with the nodal positions.
+/// Variation of the trial friction tau_a with respect to the nodal positions.
 #pragma once
 
 #include "conditions/nodal_laws.h"

@@ -48,7 +48,7 @@ BondLoad bond(const Tie& tie, Index n, const Vector3d& gap, const FacingPosition
                    normal_of(tie.nodes()[n], x));
 }
 
-/// The derivative of a bond's loads with its gap vector and its normal.
+/// The derivative of a bond's loads with respect to its gap vector and its normal.
 BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, double softening) {
   const Vector3d gap = loads.gap.col(n);
   const double damage = loads.damage[n];
@@ -79,7 +79,7 @@ VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, co
   return residual;
 }
 
-/// The second derivative of a node's energy per area with the nodal positions.
+/// The second derivative of a node's energy per area with respect to the nodal positions.
 MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, double softening) {
   const TiedNode& tied = tie.nodes()[n];
   const Matrix3Xd variation = gap_variation(tied, x);

@@ -41,7 +41,7 @@ def models(
         Family | None, typer.Argument(help="Write a model of this family in place of the collection.")
     ] = None,
     size: Annotated[Size, typer.Option(help="Size of the mesh of the knee.")] = Size.SMALL,
-    bodies: Annotated[Bodies, typer.Option(help="Kind of cartilage and menisci of the knee.")] = Bodies.ELASTIC,
+    bodies: Annotated[Bodies, typer.Option(help="Material type of the knee's cartilage and menisci.")] = Bodies.ELASTIC,
     load: Annotated[Load, typer.Option(help="Load the knee with 700 N, or with one cycle of gait.")] = Load.STANCE,
     contact: Annotated[
         Whose, typer.Option(help="Use the plugin's contact or FEBio's contact in the knee.")

@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(the_tangent_with_multipliers_matches_differences_on_segment
     const int cells_two = sanitized ? 1 : 2;  // a facet that is cut is sufficient for a sanitizer
     Scene scene(facing_grids(type, type, 0.08, 1, cells_two), effects_of(true, 1), lagrange_settings());
     scene.settings.integration = Integration::segments;
-    // The surface is rotated such that edges cross at an angle: the third derivatives of a crossing grow with the cube
-    // of its cotangent.
+    // The surface is rotated such that edges cross at an angle: the third derivatives of a crossing grow with respect
+    // to the cube of its cotangent.
     turn(scene.fields[Side::secondary].position, 0.5);
     BOOST_TEST_CONTEXT(static_cast<int>(type)) { BOOST_TEST(tangent_error(scene, random) <= difference_tolerance); }
   }

@@ -154,7 +154,7 @@ VectorXd weighted(const PointsOfPair& points) {
   return result;
 }
 
-/// The variation of weighted() by the motions of the points.
+/// The variation of weighted() with respect to the motions of the points.
 MatrixXd weighted_motion(const PointsOfPair& points, const IndexedVector<PointMotion>& motions) {
   MatrixXd result(3 * motions.count(), motions.front().weight.cols());
   for (Index i = 0; i < motions.count(); ++i) {

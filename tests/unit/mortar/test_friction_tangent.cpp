@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_depend_on_the_fluid_has_no_column_of_it) {
   const SlidingStep step(sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, false}), random);
   step.contact->for_each_coupling(
       [](const ContactInterface::Location& at) { BOOST_TEST(at.patch.fields.size() == 0u); });
-  // The solid bears the whole load: the derivative with the pressure is zero, and there is no block for it.
+  // The solid bears the whole load: the derivative with respect to the pressure is zero, and there is no block for it.
   const SlidingStep dry(sliding_scene(FacetType::quad4, FacetType::quad4, {0.2, false, true, 1.0}), random);
   using Location = ContactInterface::Location;
   dry.contact->tangent(dry.scene.fields, 0.3, [](const Location& /*rows*/, const Location& columns, const MatrixXd&) {
