@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(an_febio_without_a_hook_does_not_fit_and_the_hook_is_named)
 BOOST_AUTO_TEST_CASE(an_febio_that_calls_hooks_by_other_places_does_not_fit) {
   FakeFebio febio;
   febio.exchange(hooks()[1], hooks()[3]);
-  BOOST_TEST(says(febio.misfit("4.11.0"), "another place for PrepStep"));
+  BOOST_TEST(says(febio.misfit("4.11.0"), "a different position of PrepStep"));
 }
 
 BOOST_AUTO_TEST_CASE(the_libraries_that_the_build_found_fit) {

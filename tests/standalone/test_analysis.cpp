@@ -65,7 +65,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 // first half.
 BOOST_AUTO_TEST_CASE(an_automatic_penalty_is_reduced_after_a_failed_attempt) {
   const std::string log = log_of(pressed_cubes(2.2));
-  BOOST_TEST(has(log, "the step to time 1 has failed. The next attempt has automatic penalties"));
+  BOOST_TEST(has(log, "the step to time 1 has failed. The next attempt divides automatic penalties"));
   BOOST_TEST(has(log, "the largest overlap of an accepted step was"));
 }
 
