@@ -8,9 +8,8 @@
 #include "contact/interface/past_iterations.h"
 #include "core_archive.h"
 #include "host/warnings.h"
+#include "present_step.h"
 
-#include <FEBioMech/FESolidAnalysis.h>
-#include <FEBioMech/FESolidSolver2.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -22,13 +21,6 @@
 using namespace mixture_contact;
 
 namespace {
-
-/// True if bodies have inertia in the solver of the present step; they have none in the solvers for mixtures.
-bool has_inertia(FEModel& fem) {
-  FEAnalysis& step = *fem.GetCurrentStep();
-  return step.m_nanalysis == FESolidAnalysis::DYNAMIC &&
-         dynamic_cast<const FESolidSolver2*>(step.GetFESolver()) != nullptr;
-}
 
 /// True if no primary node is in contact.
 bool is_open(const ContactInterface& contact) {

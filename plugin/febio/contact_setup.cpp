@@ -5,12 +5,9 @@
 #include "host/membrane.h"
 #include "material_properties.h"
 #include "membrane_values.h"
+#include "present_step.h"
 #include "surface_materials.h"
 
-#include <FEBioMech/FEExplicitSolidSolver.h>
-#include <FEBioMech/FESolidAnalysis.h>
-#include <FEBioMech/FESolidSolver2.h>
-#include <FEBioMix/FEBiphasicAnalysis.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEElement.h>
 #include <FECore/FEMesh.h>
@@ -50,26 +47,7 @@ bool is_criterion_of_gaps(FECoreBase& adaptor) {
   return false;
 }
 
-/// Whether the present step has inertia, in a solver with a tangent.
-bool has_inertia(FEModel& fem) {
-  FEAnalysis& step = *fem.GetCurrentStep();
-  const bool is_of_solids = dynamic_cast<const FESolidSolver2*>(step.GetFESolver()) != nullptr;
-  return is_of_solids && step.m_nanalysis == FESolidAnalysis::DYNAMIC;
-}
-
 }  // namespace
-
-SolverKind solver_kind_of(FEModel& fem) {
-  const FESolver* const solver = fem.GetCurrentStep()->GetFESolver();
-  if (dynamic_cast<const FENewtonSolver*>(solver) != nullptr) return SolverKind::newton;
-  const auto* dynamics = dynamic_cast<const FEExplicitSolidSolver*>(solver);
-  return dynamics == nullptr ? SolverKind::conjugate_gradient : SolverKind::explicit_dynamics;
-}
-
-double storing_time_step(FEModel& fem) {
-  const bool stores = fem.GetCurrentStep()->m_nanalysis == FEBiphasicAnalysis::TRANSIENT;
-  return stores ? fem.GetTime().timeIncrement : 0;
-}
 
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log) {
   for (int i = 0; i < fem.Steps(); ++i) {
@@ -227,6 +205,7 @@ std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
 }
 
 bool ContactSetup::build(BoundContact& contact) {
+  crossing_.reset();  // the surfaces may have changed
   const auto found = materials();
   const auto exchanged = found ? effects(*found) : std::nullopt;
   if (!exchanged) return false;
@@ -247,23 +226,26 @@ void ContactSetup::update_properties(const BoundContact& contact) const {
   if (const auto found = materials()) update_materials(contact.core(), *found);
 }
 
-SolverKind ContactSetup::solver_kind() const {
+SolverKind ContactSetup::solver_kind() {
   if (!has_inertia(fem_)) return solver_kind_of(fem_);
-  const std::optional<FacetMaterials> found = materials();
+  if (!crossing_) {
+    const std::optional<FacetMaterials> found = materials();
+    crossing_ = found ? longest_crossing(*found) : 0;
+  }
   // The size that the user gave, because a penalty that changed with the step would change the energy of the contact.
   const double dt = fem_.GetCurrentStep()->m_dt0;
-  return found && would_rebound(*found, dt) ? SolverKind::implicit_dynamics : SolverKind::newton;
+  return would_rebound(*crossing_, dt) ? SolverKind::implicit_dynamics : SolverKind::newton;
 }
 
-void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) const {
+void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) {
   Settings settings = core_settings(parameters_, solver_kind(), reduction);
   settings.solvent.time_step = storing_time_step(fem_);
   contact.core().update_laws(settings);
 }
 
-bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind()); }
+bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind_of(fem_)); }
 
-bool ContactSetup::follow_load_curves(const BoundContact& contact, const ReducedPenalty& reduction) const {
+bool ContactSetup::follow_load_curves(const BoundContact& contact, const ReducedPenalty& reduction) {
   const bool sound = has_sound_values() && check_ambient();
   if (sound) update_laws(contact, reduction);
   return sound;

@@ -14,10 +14,6 @@
 /// The ambient concentrations in a model file.
 using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
 
-/// The solution method of the present step.
-SolverKind solver_kind_of(FEModel& fem);
-/// The time step in which elements store solvent [s]; 0 for a steady-state analysis.
-double storing_time_step(FEModel& fem);
 /// True if the solvers of all steps accept nodal multipliers as unknowns; if false, the reason is logged.
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
 
@@ -40,9 +36,9 @@ class ContactSetup {
   void update_properties(const BoundContact& contact) const;
   /// Sets penalties and tolerances to their values at the present time. `reduction`: reduction of automatic traction
   /// penalties.
-  void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
+  void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction);
   /// Calls update_laws() if all values of load curves are valid. Otherwise it logs the invalid ones and returns false.
-  bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction) const;
+  bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction);
   /// True if reduced penalties have an effect on this contact.
   bool has_reducible_penalty() const;
   /// Disables the traction if no node can move in the present analysis step. Returns true if the requested effects
@@ -64,7 +60,7 @@ class ContactSetup {
   bool can_have_multipliers(const BoundContact& contact) const;
   Motion motion() const;
   /// The kind of the present step's solver, for the traction penalty.
-  SolverKind solver_kind() const;
+  SolverKind solver_kind();
 
   FEModel& fem_;
   ContactSurfaces& surfaces_;
@@ -74,5 +70,6 @@ class ContactSetup {
   const ContactLog& log_;
   std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides permit
   FrictionRequest friction_;                       ///< friction by the parameters and materials
+  std::optional<double> crossing_;                 ///< longest_crossing() of the materials [s]; not known until needed
   std::string summary_;                            ///< last line in the log about the exchanged effects
 };

@@ -3,6 +3,7 @@
 #include "contact_setup.h"
 #include "host/cohesive_zone.h"
 #include "material_properties.h"
+#include "present_step.h"
 #include "surface_materials.h"
 
 #include <FECore/FEModel.h>

@@ -5,9 +5,9 @@
 #include "contact/tie/damage.h"
 #include "contact/tie/joint_output.h"
 #include "contact/tie/tie_output.h"
-#include "contact_setup.h"
 #include "host/augmentation.h"
 #include "offered_parameters.h"
+#include "present_step.h"
 #include "surface_materials.h"
 #include "tie_archive.h"
 

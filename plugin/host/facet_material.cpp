@@ -36,11 +36,12 @@ bool has_fluid(const FacetMaterials& materials) {
   });
 }
 
-bool would_rebound(const FacetMaterials& materials, double dt) {
-  return std::any_of(materials.begin(), materials.end(), [dt](const std::vector<FacetMaterial>& facets) {
-    return std::any_of(facets.begin(), facets.end(),
-                       [dt](const FacetMaterial& facet) { return dt < 2 * facet.crossing; });
-  });
+double longest_crossing(const FacetMaterials& materials) {
+  double longest = 0;
+  for (const std::vector<FacetMaterial>& of_side : materials) {
+    for (const FacetMaterial& each : of_side) longest = std::max(longest, each.crossing);
+  }
+  return longest;
 }
 
 void set_materials(SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials, const Effects& effects) {

@@ -32,12 +32,14 @@ std::vector<FieldAtContact> fields_at_contact(const FacetMaterials& materials,
 /// True if the material behind a facet of either surface contains a fluid.
 bool has_fluid(const FacetMaterials& materials);
 
-/// True if hard contact would open and close in alternate steps of `dt` [s].
+/// The longest time in which sound crosses an element behind a facet, along the facet's normal [s]; 0 if all are rigid.
+double longest_crossing(const FacetMaterials& materials);
+/// True if hard contact would open and close in alternate steps of `dt` [s]. `crossing`: longest_crossing() [s].
 ///
 /// Hard contact stops a node within a step. The trapezoidal rule reverses the velocity v of a node at rest, and the
 /// force of its inertia alternates by 4 m v/dt = 2 rho h v/dt per area, with half the mass of an element of thickness
 /// h. The wave in the body carries rho c v. A node therefore stays in contact if c dt > 2 h.
-bool would_rebound(const FacetMaterials& materials, double dt);
+inline bool would_rebound(double crossing, double dt) { return dt < 2 * crossing; }
 
 /// Sets the properties of a mesh from the materials behind its facets.
 void set_materials(mixture_contact::SurfaceMesh& mesh, const std::vector<FacetMaterial>& materials,

@@ -40,7 +40,7 @@ Opening opening_of(const Vector3d& gap, const Vector3d& normal) {
   return found;
 }
 
-/// A length that depends on the mode, and its derivative with B.
+/// A length that depends on the mode, and its derivative with respect to B.
 struct ByPart {
   double value;
   double d_mode;

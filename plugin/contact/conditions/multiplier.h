@@ -12,7 +12,7 @@ inline constexpr double multiplier_compliance = 1e-11;
 struct ConditionValue {
   double value;
   double d_dgap;         ///< derivative with respect to the gap or jump
-  double d_dmultiplier;  ///< derivative with mu
+  double d_dmultiplier;  ///< derivative with respect to mu
 };
 
 /// The equation of a multiplier: gap or jump = 0 in contact, mu = 0 elsewhere.

@@ -16,8 +16,8 @@ struct Enforcing {
 /// A flux from the primary to the secondary body, with its derivatives.
 struct FluxLaw {
   double value = 0;
-  VectorXd d_jump;  ///< derivatives with NodalLoads::jump at the node, per field
-  VectorXd d_own;   ///< derivatives with NodalLoads::own at the node, per field
+  VectorXd d_jump;  ///< derivatives with respect to NodalLoads::jump at the node, per field
+  VectorXd d_own;   ///< derivatives with respect to NodalLoads::own at the node, per field
 };
 
 /// The condition of one field at nodes. Its flux depends on the jumps around the node and on the values of the fields

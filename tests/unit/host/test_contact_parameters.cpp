@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(nodes_rebound_in_steps_in_which_sound_crosses_less_than_two
   soft.crossing = 1e-3;
   using Facets = std::vector<FacetMaterial>;
   const auto rebound = [](const Facets& primary, const Facets& secondary, double dt) {
-    return would_rebound(FacetMaterials{{primary, secondary}}, dt);
+    return would_rebound(longest_crossing(FacetMaterials{{primary, secondary}}), dt);
   };
   BOOST_TEST(!rebound({rigid}, {rigid}, 1e-6));
   BOOST_TEST(rebound({rigid}, {rigid, soft}, 1.9e-3));
