@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 
 import febio_runs
 import numpy as np
 import pytest
 from scenes.breaking_blocks import PRESSED, cohesive, moved_on_a_path, pressed_and_slid
+from scenes.tied_cubes import joint
 
+from harness.preflight.check import check
 from harness.run import engine
 from studies.models import small
 
@@ -135,3 +138,24 @@ WRONG = [
 def test_values_that_make_no_sense_are_named(solve, tags, said):
     _, finished = solve("wrong", moved_on_a_path([[0, 0, 0.1]], tags), ends=False)
     assert said in " ".join(finished.output.replace("*", " ").split())
+
+
+BOUNDS = {
+    # A penalty of 50 times the stiffness, 1 MPa/mm, is strength^2/(2 energy).
+    "soft-bonds": ((2, 3), 1.0, 0.01, "to soften"),
+    # Three facets of a sixth are E energy/strength^2, which is shorter than the zone of a layer here.
+    "cohesive-zone": ((2, 6), 0.5, 0.125, "bonds soften over a length"),
+}
+"""By rules: cells of two cubes of 1 MPa, strength, the energy at which the rule begins, and the plugin's words."""
+
+
+@pytest.mark.parametrize("part", [0.98, 1.02])
+@pytest.mark.parametrize("rule", BOUNDS)
+def test_check_and_the_plugin_have_one_bound(solve, rule, part):
+    cells, strength, energy, said = BOUNDS[rule]
+    law = f"<max_traction>{strength}</max_traction><fracture_energy>{part * energy}</fracture_energy>"
+    drawn = small.curve(1, (0, 0), (1, 1))
+    document = replace(joint(law, cells=cells), curves=(drawn,), control=small.control("solid", 1, 1.0))
+    folder, finished = solve("bound", document, ends=rule != "soft-bonds" or part > 1)
+    assert (said in " ".join(finished.output.replace("*", " ").split())) == (part < 1)
+    assert any(finding.rule == rule for finding in check(folder / "model.feb")) == (part < 1)

@@ -48,23 +48,23 @@ def penalty(joint: Joint, field: Field) -> Penalty:
     contact = joint.contact
     tag = contact.given(field.penalty)
     mixture = contact.kind.is_mixture
-    local = in_series(joint, field) if mixture else _mean(joint.primary.conductances(field))
+    primary = _mean(joint.primary.conductances(field))
+    local = in_series(primary, harmonic_mean(joint.secondary.conductances(field))) if mixture else primary
     default = (TRACTION_FACTOR if field == TRACTION else FLUX_FACTOR) if mixture else 1.0
-    factor = default if tag is None else _largest(joint, tag)
+    factor = default if tag is None else largest(joint, tag)
     automatic = contact.on("auto_penalty") or (mixture and tag is None)
     return Penalty(
         factor * local if automatic else factor, local, tag is not None, automatic, contact.tag if tag is None else tag
     )
 
 
-def _largest(joint: Joint, tag: Element) -> float:
+def largest(joint: Joint, tag: Element) -> float:
     """A parameter where its load curve is highest."""
     return float(joint.model.history(tag)[:, 1].max(initial=-math.inf))
 
 
-def in_series(joint: Joint, field: Field) -> float:
-    """2 k1 k2/(k1 + k2) of the two sides, as in plugin/contact/conditions/penalty.cpp."""
-    one, two = _mean(joint.primary.conductances(field)), harmonic_mean(joint.secondary.conductances(field))
+def in_series(one: float, two: float) -> float:
+    """2 k1 k2/(k1 + k2) of two sides, as in plugin/contact/conditions/penalty.cpp."""
     if math.isinf(one) or math.isinf(two):
         return 2.0 * min(one, two)
     return 2.0 * one * two / (one + two) if one + two > 0.0 else math.nan

@@ -10,7 +10,7 @@ import numpy as np
 
 from harness.preflight.contact_types import TIED
 from harness.preflight.finding import Finding, error, short, warning
-from harness.preflight.penalty import harmonic_mean
+from harness.preflight.penalty import harmonic_mean, in_series, largest
 from harness.preflight.sides import TRACTION, Joint, Side
 
 FACTOR = 50.0
@@ -59,11 +59,11 @@ def _penalty(joint: Joint) -> float:
     """The smallest penalty of a bond, MPa/mm; NaN where no modulus is a number."""
     contact = joint.contact
     given = contact.given("penalty")
-    factor = FACTOR if given is None else float(joint.model.history(given)[:, 1].max(initial=-math.inf))
+    factor = FACTOR if given is None else largest(joint, given)
     if given is not None and not contact.on("auto_penalty"):
         return factor
-    one, two = joint.primary.conductances(TRACTION).min(), harmonic_mean(joint.secondary.conductances(TRACTION))
-    return float(factor * 2.0 / (1.0 / one + 1.0 / two)) if one > 0.0 and two > 0.0 else math.nan
+    softest = float(joint.primary.conductances(TRACTION).min(initial=math.inf))
+    return factor * in_series(softest, harmonic_mean(joint.secondary.conductances(TRACTION)))
 
 
 def soft_bonds(joint: Joint) -> Iterator[Finding]:
