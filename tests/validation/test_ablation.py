@@ -37,3 +37,9 @@ def test_a_device_that_did_not_act_is_in_no_comparison():
 def test_a_ratio_is_that_of_the_run_without_the_device_over_that_with_all():
     (pair,) = page.pairs([WHOLE, replace(WITHOUT, time=3.0)])
     assert pair.ratio("time") == 1.5
+
+
+def test_runs_without_any_device_are_compared_where_some_acted():
+    idle = replace(WHOLE, scene="idle", acted="")
+    rows = [WHOLE, replace(WITHOUT, without="any"), idle, replace(idle, without="any")]
+    assert [pair.whole.scene for pair in page.pairs_without_any(rows)] == ["scene"]

@@ -58,10 +58,18 @@ def _beats(one: Ablated, other: Ablated) -> bool:
 
 
 def pairs(rows: Sequence[Ablated]) -> list[Pair]:
-    """All pairs of runs, in the order of the data."""
+    """Pairs of runs with all devices and without one that acted, in the order of the data."""
+    return [pair for pair in _pairs(rows) if pair.without.without in pair.whole.acted]
+
+
+def pairs_without_any(rows: Sequence[Ablated]) -> list[Pair]:
+    """Pairs of runs with all devices and without any, of scenes in which some acted."""
+    return [pair for pair in _pairs(rows) if pair.without.without == "any" and pair.whole.acted]
+
+
+def _pairs(rows: Sequence[Ablated]) -> Iterator[Pair]:
     whole = {row.scene: row for row in rows if row.without == "nothing"}
-    found = (Pair(whole[row.scene], row) for row in rows if row.without not in ("nothing", "any"))
-    return [pair for pair in found if pair.without.without in pair.whole.acted]
+    return (Pair(whole[row.scene], row) for row in rows if row.without != "nothing")
 
 
 def figures() -> Mapping[str, str]:
@@ -70,7 +78,7 @@ def figures() -> Mapping[str, str]:
     found = pairs(rows)
     return {
         "summary": summary(found),
-        "table": tables.markdown(_HEADS, _lines(found)),
+        "table": tables.markdown(_HEADS, _lines([*found, *pairs_without_any(rows)])),
         "least": f"{BETTER:.0%}".replace("%", " %"),
         "better": tables.markdown(
             ("scene", "device", "with all devices", "without it", "time without the device / time with all devices"),
@@ -101,7 +109,8 @@ def _line(kind: str, device: str, found: Sequence[Pair]) -> tuple[str, ...]:
     complete = [pair for pair in found if pair.is_complete]
     medians = (_median(complete, figure) for figure in ("iterations", "matrices", "entries", "time"))
     counts = (sum(pair.is_better for pair in found), sum(pair.is_worse for pair in found))
-    return f"{kind}s", f"`{device}`", str(len(found)), *medians, *map(str, counts)
+    name = "all of them" if device == "any" else f"`{device}`"
+    return f"{kind}s", name, str(len(found)), *medians, *map(str, counts)
 
 
 def _median(found: Sequence[Pair], figure: str) -> str:
