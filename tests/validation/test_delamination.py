@@ -124,7 +124,7 @@ def flexure_by_theory(strips: Strips, deflection: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("strips", [FLEXURE, replace(FLEXURE, cells=4, finer=1)], ids=["six a mm", "four a mm"])
 def test_a_flexure_bears_the_load_of_beam_theory(solve, strips):
     folder = solved(solve, f"flexure-{strips.cells}", end_notched_flexure(strips).text())
-    assert (folder / "model.log").read_text().count("failed to converge") <= 3
+    assert "failed to converge" not in (folder / "model.log").read_text()
     nodes = np.array(two_strips(strips).nodes)
     middle = np.abs(nodes[:, [0, 2]] - (0.5 * strips.length, strips.thickness)).max(axis=1) < 1e-9
     load = np.abs(small.table(folder / "nodes.txt")[:, middle, 1].sum(axis=1))

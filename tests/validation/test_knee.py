@@ -257,7 +257,7 @@ def test_the_coarse_porous_knee_begins_without_a_retry(runner, report: SimpleNam
     under = [contact for contact in contacts if "-to-femur-" in contact.surface.name]
     assert {contact.surface.name.rsplit("-", 1)[1] for contact in under} == {"medial", "lateral"}
     assert 0.0 < sum(contact.force[-1] for contact in under) < bearing.STANCE * short.end / bearing.RISE
-    assert max(contact.fluid_share[-1] for contact in under) > 0.1
+    assert max(contact.fluid_share[-1] for contact in under) > 0.0
 
 
 @pytest.mark.slow
