@@ -240,6 +240,7 @@ SolverKind ContactSetup::solver_kind() {
 void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) {
   Settings settings = core_settings(parameters_, solver_kind(), reduction);
   settings.solvent.time_step = storing_time_step(fem_);
+  set_immovable(contact.core(), {{dofs_.immovable_nodes(Side::primary), dofs_.immovable_nodes(Side::secondary)}});
   contact.core().update_laws(settings);
 }
 

@@ -81,14 +81,30 @@ bool DofMap::has_free_node(Side side) const {
   return false;
 }
 
-bool DofMap::has_free_rigid_body(Side side) const {
+bool DofMap::can_move(const FENode& node, const std::array<int, 3>& displacements) const {
+  const auto is_unknown = [](int equation) { return equation >= 0; };
+  if (node.m_rid < 0)
+    return std::any_of(displacements.begin(), displacements.end(),
+                       [&](int dof) { return is_unknown(mixture_contact::at(node.m_ID, dof)); });
   auto* const mechanics = dynamic_cast<FEMechModel*>(&fem_);
+  if (mechanics == nullptr) return false;
+  const auto& equations = mechanics->GetRigidBody(node.m_rid)->m_LM;
+  return std::any_of(std::begin(equations), std::end(equations), is_unknown);
+}
+
+mixture_contact::NodeFlags DofMap::immovable_nodes(Side side) const {
+  const LinearConstraints constraints(fem_);
   FEMixtureSurface& surface = surfaces_[side];
-  for (int i = 0; mechanics != nullptr && i < surface.Nodes(); ++i) {
-    if (surface.Node(i).m_rid < 0) continue;
-    const auto& equations = mechanics->GetRigidBody(surface.Node(i).m_rid)->m_LM;
-    if (std::any_of(std::begin(equations), std::end(equations), [](int equation) { return equation >= 0; }))
-      return true;
+  mixture_contact::NodeFlags immovable(surface.Nodes(), false);
+  for (int i = 0; i < surface.Nodes(); ++i)
+    immovable[i] = !constraints.bind(surface.NodeIndex(i)) && !can_move(surface.Node(i), displacements(side));
+  return immovable;
+}
+
+bool DofMap::has_free_rigid_body(Side side) const {
+  FEMixtureSurface& surface = surfaces_[side];
+  for (int i = 0; i < surface.Nodes(); ++i) {
+    if (surface.Node(i).m_rid >= 0 && can_move(surface.Node(i), displacements(side))) return true;
   }
   return false;
 }

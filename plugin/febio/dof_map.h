@@ -38,6 +38,8 @@ class DofMap {
   int deformable_node() const;
   /// True if a node of the surface has an equation of its own.
   bool has_free_node(Side side) const;
+  /// Per node of the surface, true if no solution of the present step can move it.
+  mixture_contact::NodeFlags immovable_nodes(Side side) const;
   /// True if a node of the surface belongs to a rigid body that can move.
   bool has_free_rigid_body(Side side) const;
 
@@ -55,6 +57,8 @@ class DofMap {
     int pressure = -1;
     int concentration = -1;  ///< concentration of solute 0; the others follow
   };
+  /// True if a node, or its rigid body, has an unknown of motion.
+  bool can_move(const FENode& node, const std::array<int, 3>& displacements) const;
   const FaceDofs& of_face(Side side) const { return surfaces_[side].has_shell_bottoms() ? back_ : front_; }
   FaceDofs face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
                      const char* concentration) const;

@@ -48,6 +48,17 @@ bool Contact::has_reducible_penalty() const {
   return core_->effects().traction && is_reducible(definition_.parameters, SolverKind::newton);
 }
 
+void Contact::find_immovable_nodes(const std::vector<bool>& free) {
+  const auto is_immovable = [&](int node) {
+    return !at(free, model_.place(0, node)) && !at(free, model_.place(1, node)) && !at(free, model_.place(2, node));
+  };
+  PerSide<mixture_contact::NodeFlags> immovable;
+  for (const Side side : mixture_contact::both_sides) {
+    for (const int node : surfaces_.nodes(side)) immovable[side].push_back(is_immovable(node));
+  }
+  set_immovable(*core_, std::move(immovable));
+}
+
 void Contact::update_properties(const MatrixXd& values) { update_materials(*core_, surfaces_.materials(values)); }
 
 }  // namespace standalone

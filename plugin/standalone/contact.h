@@ -28,6 +28,8 @@ class Contact {
   void update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction);
   /// True if reduced penalties have an effect on this contact.
   bool has_reducible_penalty() const;
+  /// Sets which nodes can move. `free`: per nodal value, true if it is an unknown (see Model::place).
+  void find_immovable_nodes(const std::vector<bool>& free);
   /// Reads the materials behind the facets again, because their convective part depends on the current flow.
   void update_properties(const MatrixXd& values);
   /// Searches for the facets that face each other at these nodal values.

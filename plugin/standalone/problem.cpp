@@ -89,7 +89,9 @@ Problem::Problem(const Model& model) : model_(model), bodies_(model) {
   }
   pending_ = forces_ = VectorXd::Zero(state_.values.size());
   accept_step();
+  const std::vector<bool> unknowns = free();
   for (Contact& contact : contacts_) {
+    contact.find_immovable_nodes(unknowns);
     contact.update_properties(state_.values);
     contact.project(state_.values);
   }

@@ -95,6 +95,15 @@ def test_a_scene_runs_as_with_febios_interface(name, tmp_path):
 
 
 @pytest.mark.usefixtures("runner")
+@pytest.mark.parametrize("name", ("plates-tet4", "plates-tet10-incompressible", "plates-biphasic"))
+def test_clamped_edges_under_rigid_plates_need_no_shorter_steps(name, tmp_path):
+    """No solution can change the overlap of a clamped node and a plate, and their neighbours do not compensate for it."""
+    row = comparison.compare(name, SCENES[name], tmp_path, LIMIT, ("defaults",))
+    assert row.defaults.ended, row.defaults.why
+    assert row.defaults.retries == row.febio.retries == 0
+
+
+@pytest.mark.usefixtures("runner")
 def test_a_body_leaves_a_wall_with_no_more_energy_than_it_came_with(tmp_path):
     scene = SCENES["impact-wall"]
     path = comparison.write_converted(

@@ -136,6 +136,9 @@ struct SearchRule {
 struct Settings {
   Enforcement enforcement = Enforcement::penalty;
   PenaltyRule traction{true, default_traction_factor};
+  /// True: the traction penalty of nodes whose gap no solution can change is at most the stiffness of the elements, also
+  /// if multipliers are unknowns, and augmentations leave these nodes out.
+  bool softens_fixed_gaps = false;
   PenaltyRule solvent{true, default_flux_factor};
   PenaltyRule solute{true, default_flux_factor};
   FrictionRule friction;

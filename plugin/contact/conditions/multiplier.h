@@ -18,10 +18,12 @@ struct ConditionValue {
 /// The equation of a multiplier: gap or jump = 0 in contact, mu = 0 elsewhere.
 ///
 /// `mu`: lambda/k, with the stiffness or conductance k of the adjoining elements. It is the drop across them that the
-/// load causes, and has the unit of the gap [mm] or jump.
-inline ConditionValue multiplier_condition(bool in_contact, double mu, double gap) {
+/// load causes, and has the unit of the gap [mm] or jump. `compliance`: gap or jump that remains, divided by this drop
+/// [-].
+inline ConditionValue multiplier_condition(bool in_contact, double mu, double gap,
+                                           double compliance = multiplier_compliance) {
   if (!in_contact) return {-mu, 0.0, -1.0};
-  return {gap - multiplier_compliance * mu, 1.0, -multiplier_compliance};
+  return {gap - compliance * mu, 1.0, -compliance};
 }
 
 /// The equation of a flux that follows a law F, for example of a membrane: (F - lambda)/(k + k_F) = 0. The equation has

@@ -21,12 +21,11 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
     : primary_(primary),
       secondary_(secondary),
       effects_(effects),
-      settings_(settings),
-      penalties_(at_nodes(mixture_contact::penalties(primary, secondary, effects, settings), primary)),
-      scalars_(scalar_conditions(effects, settings.membrane, share_of_film(primary, settings))) {
+      settings_(settings) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
+  update_penalties();
   forget_steps();
 }
 
@@ -41,6 +40,8 @@ void NodalLaws::forget_steps() {
 void NodalLaws::update_penalties() {
   scalars_ = scalar_conditions(effects_, settings_.membrane, share_of_film(primary_, settings_));
   penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
+  soft_ = settings_.softens_fixed_gaps ? nodes_of_fixed_gap(primary_, secondary_) : NodeFlags();
+  soften(penalties_, soft_);
 }
 
 void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
@@ -154,6 +155,21 @@ Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
     lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
   }
   return lambda;
+}
+
+VectorXd NodalLaws::growing_penalties() const {
+  VectorXd growing = penalties_.traction;
+  for (Index node = 0; node < soft_.count(); ++node) {
+    if (soft_[node]) growing[node] = 0;
+  }
+  return growing;
+}
+
+void NodalLaws::take_traction(const VectorXd& traction) {
+  multipliers.traction = admissible(normal(), traction);
+  for (Index node = 0; node < soft_.count(); ++node) {
+    if (soft_[node]) multipliers.traction[node] = 0;
+  }
 }
 
 void NodalLaws::take_friction(const NodalLoads& loads) {

@@ -63,8 +63,13 @@ class NodalLaws {
   Index nodes() const { return primary_.nodes; }
   /// The penalties at the nodes, without the factors of augmentations.
   const Penalties& penalties() const { return penalties_; }
+  /// True if no solution can change the gap of a node, and it therefore has a soft penalty and no augmentation
+  /// (Settings::softens_fixed_gaps).
+  bool has_soft_gap(Index node) const { return soft_.count() > 0 && soft_[node]; }
   /// The penalty eps_n of a node [N/mm^3], with the factor of augmentations.
-  double traction_penalty(Index node) const { return multipliers.traction_penalty_scale * penalties_.traction[node]; }
+  double traction_penalty(Index node) const {
+    return scaled(multipliers.traction_penalty_scale, node) * penalties_.traction[node];
+  }
   /// The flux penalty of a field at a node, with the factor of augmentations.
   double flux_penalty(Index field, Index node) const {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
@@ -79,10 +84,12 @@ class NodalLaws {
 
   /// The tangential penalty eps_T of a node [N/mm^3], with the factor of augmentations.
   double friction_penalty(Index node) const {
-    return multipliers.friction_penalty_scale * settings_.friction.penalty_factor * penalties_.traction[node];
+    return scaled(multipliers.friction_penalty_scale, node) * friction_factor() * penalties_.traction[node];
   }
-  /// The tangential penalties of all nodes, without the factor of augmentations.
-  VectorXd friction_penalties() const { return settings_.friction.penalty_factor * penalties_.traction; }
+  /// The tangential penalty divided by the traction penalty [-].
+  double friction_factor() const { return settings_.friction.penalty_factor; }
+  /// The traction penalties that augmentations may increase, without their factor; 0 at nodes that they leave out.
+  VectorXd growing_penalties() const;
 
   // Upper limit of augmented traction penalties, as a factor on the stiffness.
   double largest_traction_factor() const {
@@ -121,6 +128,8 @@ class NodalLaws {
   NodeFlags beyond_bound(const NodalLoads& loads) const;
   /// The friction multipliers whose trial equals the present friction without further slip.
   Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
+  /// The multipliers of the tractions become these tractions, except at nodes that augmentations leave out.
+  void take_traction(const VectorXd& traction);
   /// Accepts the present friction and slip status.
   void take_friction(const NodalLoads& loads);
   /// Tractions for the geometric part of the tangent at the start of a step: those given, limited by the largest
@@ -147,6 +156,8 @@ class NodalLaws {
   bool holds_rigid_body = false;
 
  private:
+  /// A factor of augmentations at a node.
+  double scaled(double factor, Index node) const { return has_soft_gap(node) ? 1.0 : factor; }
   /// Sets the trials of friction, and bounds and status before their first decision.
   void find_friction_limits(NodalLoads& loads) const;
 
@@ -155,6 +166,7 @@ class NodalLaws {
   const Effects& effects_;
   const Settings& settings_;
   Penalties penalties_;
+  NodeFlags soft_;  ///< nodes whose gap no solution can change; empty if there is none or their penalties are as given
   IndexedVector<std::unique_ptr<ScalarCondition>> scalars_;  ///< condition per field
 };
 

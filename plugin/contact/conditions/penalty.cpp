@@ -100,4 +100,10 @@ Penalties at_nodes(const Penalties& facets, const SurfaceMesh& primary) {
   return nodes;
 }
 
+void soften(Penalties& nodes, const NodeFlags& fixed) {
+  for (Index node = 0; node < fixed.count(); ++node) {
+    if (fixed[node]) nodes.traction[node] = std::min(nodes.traction[node], nodes.stiffness[node]);
+  }
+}
+
 }  // namespace mixture_contact

@@ -37,4 +37,10 @@ Penalties penalties(const SurfaceMesh& primary, const SurfaceMesh& secondary, co
 /// Penalties per node of the primary surface: means over the facets around each node.
 Penalties at_nodes(const Penalties& facets, const SurfaceMesh& primary);
 
+/// Limits the traction penalties of these nodes to the stiffness of the elements; `fixed`: nodes_of_fixed_gap().
+///
+/// An overlap that no solution can change is no measure of a traction. Times a large penalty it would push the
+/// neighbours of the node away, far beyond the surfaces.
+void soften(Penalties& nodes, const NodeFlags& fixed);
+
 }  // namespace mixture_contact

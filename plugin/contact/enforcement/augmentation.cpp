@@ -24,9 +24,11 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
   const VectorXd rounding = laws.field_rounding(fields, loads.size);
   for (Index node = 0; node < loads.area.size(); ++node) {
     if (!loads.in_contact[node]) continue;
-    const double gap = laws.normal().residual_gap(loads.gap[node], loads.traction[node]);
-    traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
-    if (!loads.friction.empty()) add_slip(slip, base.stiffness[node], loads, node);
+    if (!laws.has_soft_gap(node)) {
+      const double gap = laws.normal().residual_gap(loads.gap[node], loads.traction[node]);
+      traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
+      if (!loads.friction.empty()) add_slip(slip, base.stiffness[node], loads, node);
+    }
     if (!loads.flux_coupled[node]) continue;
     for (Index k = 0; k < flux.count(); ++k) {
       if (!laws.scalar(k).is_enforced()) continue;
@@ -43,9 +45,10 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
 bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
   const Penalties& penalty = laws.penalties();
   Multipliers& state = laws.multipliers;
-  bool any = grow(state.traction_penalty_scale, report.traction, tolerances.traction, penalty.traction,
-                  penalty.stiffness, laws.largest_traction_factor());
-  any = grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_penalties(),
+  const VectorXd growing = laws.growing_penalties();
+  bool any = grow(state.traction_penalty_scale, report.traction, tolerances.traction, growing, penalty.stiffness,
+                  laws.largest_traction_factor());
+  any = grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_factor() * growing,
              penalty.stiffness, laws.largest_traction_factor()) ||
         any;
   const double largest_flux_factor = laws.has_twin() ? two_pass_flux_factor : default_flux_factor;

@@ -82,7 +82,9 @@ VectorXd UnknownMultipliers::equation_weights(const NodalLoads& loads, const Mat
 
 ConditionValue UnknownMultipliers::traction_condition(Index node, const NodalLoads& loads) const {
   const double mu = laws().multipliers.traction[node] / traction_unit(laws(), node);
-  return multiplier_condition(loads.in_contact[node], mu, loads.gap[node]);
+  // A soft gap has a penalty of the stiffness, lambda = k g.
+  const double compliance = laws().has_soft_gap(node) ? 1.0 : multiplier_compliance;
+  return multiplier_condition(loads.in_contact[node], mu, loads.gap[node], compliance);
 }
 
 ConditionValue UnknownMultipliers::flux_condition(int field, Index node, const NodalLoads& loads) const {

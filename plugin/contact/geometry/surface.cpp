@@ -39,6 +39,14 @@ const std::vector<RulePoint>& nodal_rule(FacetType type) {
 
 }  // namespace
 
+NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& secondary) {
+  const auto is_set = [](bool flag) { return flag; };
+  const NodeFlags& faced = secondary.immovable;
+  const bool is_fixed = faced.count() > 0 && std::all_of(faced.begin(), faced.end(), is_set) &&
+                        std::any_of(primary.immovable.begin(), primary.immovable.end(), is_set);
+  return is_fixed ? primary.immovable : NodeFlags();
+}
+
 void find_joined_nodes(PerSide<SurfaceMesh>& meshes, const PerSide<std::vector<int>>& numbers) {
   for (const Side side : both_sides) {
     const std::set<int> others(numbers[other(side)].begin(), numbers[other(side)].end());

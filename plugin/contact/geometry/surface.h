@@ -26,11 +26,18 @@ struct SurfaceMesh {
 
   /// Per node: true if both surfaces contain the node, without self-contact; empty if there is no such node.
   NodeFlags joined;
+  /// Per node: true if no solution can move the node, because its displacements are prescribed or its rigid body cannot
+  /// move; empty if the host has not said so.
+  NodeFlags immovable;
 
   bool may_meet_itself() const { return node_ids.count() > 0; }
   /// True if both surfaces contain the node. Such a node cannot open and has no ambient values.
   bool is_joined(Index node) const { return joined.count() > 0 && joined[node]; }
 };
+
+/// The primary nodes whose gap no solution can change: they are immovable, and so are all secondary nodes. Empty if there
+/// is none.
+NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
 /// Sets SurfaceMesh::joined, the nodes that both surfaces contain. `numbers`: for each surface, the numbers of its
 /// nodes in the host's mesh.

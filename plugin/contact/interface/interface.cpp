@@ -439,4 +439,9 @@ void join(ContactInterface& contact, PerSide<NodeFlags> nodes) {
   for (Matrix3Xd& position : contact.position_) position.resize(3, 0);
 }
 
+void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
+  for (const Side side : both_sides) contact.mesh_[side].immovable = std::move(nodes[side]);
+  for (const SidedPass& pass : contact.passes_) pass.integral->laws().update_penalties();
+}
+
 }  // namespace mixture_contact

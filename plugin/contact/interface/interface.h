@@ -58,6 +58,7 @@ class ContactInterface {
   friend bool faces_as_held(const ContactInterface& contact);
   friend bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
   friend void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
+  friend void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
   /// Calls `add` with the residual of each part of (2.5). `dt`: time increment [s].
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
@@ -161,5 +162,8 @@ bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& f
 /// and have no ambient values. This ends the iterations. The next project() finds the opposite points of the free
 /// nodes.
 void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
+
+/// Sets the nodes of both surfaces that no solution can move (SurfaceMesh::immovable), and computes the penalties again.
+void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 }  // namespace mixture_contact

@@ -51,7 +51,7 @@ void ContactPass::restrict_active_set(const NodeFlags& nodes) {
 
 void ContactPass::augment(const FacingFields& fields) {
   const NodalLoads loads = nodal_loads(fields);
-  if (effects_.traction) laws_.multipliers.traction = admissible(laws_.normal(), loads.traction);
+  if (effects_.traction) laws_.take_traction(loads.traction);
   laws_.multipliers.flux = loads.flux;
   if (!loads.friction.empty()) laws_.take_friction(loads);
   geometry_->take_multipliers();

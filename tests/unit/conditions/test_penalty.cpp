@@ -129,6 +129,36 @@ BOOST_AUTO_TEST_CASE(a_contact_of_solids_alone_has_no_flux_penalties) {
   BOOST_TEST(result.traction.size() == 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_gap_is_fixed_where_no_node_on_either_side_can_move) {
+  Sides sides;
+  BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
+  sides.primary.immovable = NodeFlags(sides.primary.nodes, false);
+  sides.primary.immovable[1] = true;
+  BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
+  sides.secondary.immovable = NodeFlags(sides.secondary.nodes, true);
+  BOOST_TEST((nodes_of_fixed_gap(sides.primary, sides.secondary) == sides.primary.immovable));
+  sides.secondary.immovable[0] = false;
+  BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
+  sides.secondary.immovable[0] = true;
+  sides.primary.immovable[1] = false;
+  BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_softened_penalty_is_at_most_the_stiffness) {
+  Sides sides;
+  NodeFlags fixed(sides.primary.nodes, false);
+  fixed[1] = true;
+  for (const double factor : {0.5, 1e3}) {
+    sides.settings.traction = {true, factor};
+    const Penalties before = at_nodes(sides.result(), sides.primary);
+    Penalties after = before;
+    soften(after, fixed);
+    for (Index node = 0; node < sides.primary.nodes; ++node)
+      check_close(after.traction[node], (node == 1 ? std::min(factor, 1.0) : factor) * before.stiffness[node]);
+    BOOST_TEST((after.flux.array() == before.flux.array()).all());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_reduction_divides_the_penalty_of_the_traction_alone) {
   Sides sides;
   const Penalties full = sides.result();

@@ -137,6 +137,29 @@ BOOST_AUTO_TEST_CASE(nodes_that_bear_load_in_a_solution_stay_in_contact_after_it
   BOOST_TEST(!any(contact->nodes_in_contact()[Side::primary]));
 }
 
+BOOST_AUTO_TEST_CASE(augmentations_leave_nodes_of_fixed_gap_out) {
+  Scene scene = loaded_scene();
+  scene.settings.softens_fixed_gaps = true;
+  scene.settings.tolerances = {{1e-6, 0}, off, off, {}};
+  const auto contact = scene.contact();
+  PerSide<NodeFlags> immovable;
+  for (const Side side : both_sides) immovable[side] = NodeFlags(scene.mesh[side].nodes, side == Side::secondary);
+  immovable[Side::primary][0] = true;
+  set_immovable(*contact, immovable);
+  const NodalLaws& laws = contact->pass(0).laws();
+  const double soft = laws.traction_penalty(0);
+  const double hard = laws.traction_penalty(1);
+  BOOST_TEST(soft <= laws.penalties().stiffness[0]);
+  BOOST_TEST(contact->augment(scene.fields));
+  BOOST_TEST(laws.traction_penalty(0) == soft);
+  BOOST_TEST(laws.traction_penalty(1) > hard);
+  BOOST_TEST(laws.multipliers.traction[0] == 0.0);
+  BOOST_TEST(laws.multipliers.traction[1] < 0.0);
+  for (const Side side : both_sides) immovable[side] = NodeFlags(scene.mesh[side].nodes, true);
+  set_immovable(*contact, immovable);
+  BOOST_TEST(contact->gaps(scene.fields).traction.largest == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(points_out_of_contact_get_no_multiplier) {
   Scene scene = loaded_scene();
   const auto contact = scene.contact();
