@@ -10,12 +10,15 @@
 #include "host/warnings.h"
 #include "present_step.h"
 
+#include <FEBioMech/FEMechModel.h>
+#include <FEBioMech/FERigidBody.h>
 #include <FECore/FEAnalysis.h>
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
 #include <FECore/FESolver.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 using namespace mixture_contact;
@@ -28,6 +31,27 @@ bool is_open(const ContactInterface& contact) {
   return std::none_of(nodes.begin(), nodes.end(), [](bool closed) { return closed; });
 }
 
+RigidPose pose_of(const FERigidBody& body) {
+  const quatd q = body.GetRotation();
+  return {{body.m_rt.x, body.m_rt.y, body.m_rt.z}, Eigen::Quaterniond(q.w, q.x, q.y, q.z)};
+}
+
+/// The rigid bodies to which nodes of a surface belong.
+RigidParts rigid_parts(FEMixtureSurface& surface) {
+  RigidParts parts;
+  auto* const mechanics = dynamic_cast<FEMechModel*>(surface.GetFEModel());
+  std::map<int, int> found;
+  for (int i = 0; mechanics != nullptr && i < surface.Nodes(); ++i) {
+    const int id = surface.Node(i).m_rid;
+    if (id < 0) continue;
+    const auto [entry, is_new] = found.try_emplace(id, number_of(parts.poses));
+    if (is_new) parts.poses.push_back(pose_of(*mechanics->GetRigidBody(id)));
+    if (parts.body.empty()) parts.body.assign(indexing::entries(surface.Nodes()), -1);
+    parts.body[i] = entry->second;
+  }
+  return parts;
+}
+
 }  // namespace
 
 PerSide<SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs, const Effects& effects) {
@@ -37,6 +61,7 @@ PerSide<SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs, 
     FEMixtureSurface& surface = surfaces[side];
     all[side].position = std::move(x[side]);
     all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
+    all[side].rigid = rigid_parts(surface);
     for (int k = 0; k < effects.nodal_fields(); ++k) {
       const int dof = dofs.field(side, effects, k);
       in_parallel(surface.Nodes(),

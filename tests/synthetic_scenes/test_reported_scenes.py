@@ -104,6 +104,14 @@ def test_clamped_edges_under_rigid_plates_need_no_shorter_steps(name, tmp_path):
 
 
 @pytest.mark.usefixtures("runner")
+def test_a_roller_that_turns_far_in_a_step_needs_no_shorter_ones(tmp_path):
+    """Elements follow the second-order part of the rotation, which a large penalty must not turn into a load."""
+    row = comparison.compare("roller-rolls", SCENES["roller-rolls"], tmp_path, LIMIT, ("defaults",))
+    assert row.defaults.ended, row.defaults.why
+    assert row.defaults.retries == row.febio.retries == 0
+
+
+@pytest.mark.usefixtures("runner")
 def test_a_body_leaves_a_wall_with_no_more_energy_than_it_came_with(tmp_path):
     scene = SCENES["impact-wall"]
     path = comparison.write_converted(

@@ -18,10 +18,7 @@ double share_of_film(const SurfaceMesh& primary, const Settings& settings) {
 
 NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                      const Settings& settings)
-    : primary_(primary),
-      secondary_(secondary),
-      effects_(effects),
-      settings_(settings) {
+    : primary_(primary), secondary_(secondary), effects_(effects), settings_(settings) {
   multipliers.traction.setZero(primary.nodes);
   multipliers.flux.setZero(effects.scalar_fields(), primary.nodes);
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
@@ -155,6 +152,15 @@ Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
     lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
   }
   return lambda;
+}
+
+VectorXd NodalLaws::stiffness_over_penalty() const {
+  VectorXd part = VectorXd::Ones(nodes());
+  for (Index node = 0; node < nodes() && !between_rigid_bodies; ++node) {
+    const double penalty = traction_penalty(node);
+    if (penalty > penalties_.stiffness[node]) part[node] = penalties_.stiffness[node] / penalty;
+  }
+  return part;
 }
 
 VectorXd NodalLaws::growing_penalties() const {

@@ -70,6 +70,8 @@ class NodalLaws {
   double traction_penalty(Index node) const {
     return scaled(multipliers.traction_penalty_scale, node) * penalties_.traction[node];
   }
+  /// The stiffness of the adjoining elements over the traction penalty per node, at most 1 [-]; 1 between rigid bodies.
+  VectorXd stiffness_over_penalty() const;
   /// The flux penalty of a field at a node, with the factor of augmentations.
   double flux_penalty(Index field, Index node) const {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);

@@ -36,8 +36,8 @@ void FixedGeometry::update(const FacingPositions& x) {
   const Index fields = space_.effects().scalar_fields();
   space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
-  const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields)};
-  const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields)};
+  const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields), {}};
+  const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields), {}};
   NodalGaps gaps = space_.gaps();
   const NodeFlags status = active_set_.initial(gaps);
   fixed_ = space_.averages(std::move(gaps), {primary, secondary}, {status, status, {}});

@@ -79,6 +79,7 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
   point.primary = fields.primary;
   point.secondary = fields.secondary;
   point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
+  point.beyond_part = laws_.stiffness_over_penalty();
   return point;
 }
 

@@ -5,6 +5,7 @@
 #include "base/indexed_vector.h"
 #include "base/side.h"
 #include "geometry/facet.h"
+#include "geometry/rigid_motion.h"
 
 #include <algorithm>
 #include <vector>
@@ -49,6 +50,7 @@ struct SurfaceFields {
   /// Scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects; then the p~ that only friction
   /// reads, if any (Effects::nodal_fields).
   MatrixXd scalar;
+  RigidParts rigid;  ///< the rigid bodies that can move
 
   std::size_t memory() const;  ///< memory of the values [bytes]
 };

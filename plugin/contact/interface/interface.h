@@ -163,7 +163,8 @@ bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& f
 /// nodes.
 void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
-/// Sets the nodes of both surfaces that no solution can move (SurfaceMesh::immovable), and computes the penalties again.
+/// Sets the nodes of both surfaces that no solution can move (SurfaceMesh::immovable), and computes the penalties
+/// again.
 void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 }  // namespace mixture_contact

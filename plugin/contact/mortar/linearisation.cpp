@@ -398,14 +398,24 @@ void add_flat_pairs(NodeLinearisation& sum, const MortarSpace& space, const Pair
 
 /// The displacements of a patch's nodes in the order of patch.of_displacements(). `change`: displacements of both
 /// surfaces.
-VectorXd displacements_at(const Patch& patch, const FacingFields& change) {
+VectorXd displacements_at(const Patch& patch, const FacingPositions& change) {
   const LocalLayout layout = patch.displacement_layout();
   VectorXd values(layout.size());
   for (Index n = 0; n < layout.nodes(); ++n) {
-    const SurfaceFields& surface = n < layout.primary_nodes() ? change.primary : change.secondary;
-    values.segment<3>(layout.displacement(n, 0)) = surface.position.col(patch.node(n));
+    const Matrix3Xd& surface = n < layout.primary_nodes() ? change.primary : change.secondary;
+    values.segment<3>(layout.displacement(n, 0)) = surface.col(patch.node(n));
   }
   return values;
+}
+
+/// Subtracts a factor times displacements of both surfaces from the displacements of a patch's nodes. A surface without
+/// columns has none.
+void subtract(VectorXd& moved, const Patch& patch, const PerSide<Matrix3Xd>& displacements, double factor) {
+  const LocalLayout layout = patch.displacement_layout();
+  for (Index n = 0; n < layout.nodes(); ++n) {
+    const Matrix3Xd& own = displacements[n < layout.primary_nodes() ? Side::primary : Side::secondary];
+    if (own.cols() > 0) moved.segment<3>(layout.displacement(n, 0)) -= factor * own.col(patch.node(n));
+  }
 }
 
 /// Adds the changes of a node's averages to `friction`. `moved`: displacements of the patch; `change`: changes of
@@ -436,7 +446,11 @@ void predict(NodalFriction& friction, Index node, const NodeLinearisation& linea
 }
 
 SurfaceFields change(const SurfaceFields& from, const SurfaceFields& to) {
-  return {to.position - from.position, to.scalar - from.scalar};
+  return {to.position - from.position, to.scalar - from.scalar, {}};
+}
+
+Matrix3Xd beyond_linear(const SurfaceFields& from, const SurfaceFields& to) {
+  return beyond_linear(from.rigid, to.rigid, from.position, to.position);
 }
 
 std::size_t bytes_of(const NodalFriction& friction) {
@@ -526,10 +540,13 @@ NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) co
   predicted.own = fields.primary.scalar.leftCols(loads.own.rows()).transpose();
   const SurfaceFields first = change(primary, fields.primary);
   const SurfaceFields second = change(secondary, fields.secondary);
+  const PerSide<Matrix3Xd> beyond{{beyond_linear(primary, fields.primary), beyond_linear(secondary, fields.secondary)}};
+  const bool turns = beyond[Side::primary].size() > 0 || beyond[Side::secondary].size() > 0;
   in_parallel(nodes.count(), [&](Index node) {
     const NodeLinearisation& linear = nodes[node];
     if (linear.empty()) return;
-    const VectorXd moved = displacements_at(linear.patch, {first, second});
+    VectorXd moved = displacements_at(linear.patch, {first.position, second.position});
+    if (turns) subtract(moved, linear.patch, beyond, 1 - beyond_part[node]);
     predicted.gap[node] += linear.gap_variation.dot(moved);
     if (!linear.friction.empty()) predict(predicted.friction, node, linear, moved, {first, second});
     for (Index k = 0; k < linear.jumps.count(); ++k) {

@@ -71,6 +71,10 @@ struct LinearisationPoint {
   /// Friction tractions t_T in the geometric part of the tangent; empty without friction.
   Matrix3Xd geometric_friction;
   VectorXd equation_weights;  ///< weights of the equations of unknown multipliers
+  /// Per node, the part of beyond_linear() that the predicted averages include: the stiffness of the elements over the
+  /// penalty, at most 1 [-]. In the next iteration the elements follow this motion, which then causes a traction of
+  /// their stiffness, not of the penalty.
+  VectorXd beyond_part;
 
   bool is_linearised() const { return !nodes.empty(); }
   /// True if the fields equal those of this state, so that the predicted change is zero.
