@@ -36,12 +36,6 @@ def cost_of(datum: Datum) -> float:
     return datum.cpu if datum.problem == Problem.INDENTATION.value else datum.ratio
 
 
-def span_of(datum: Datum) -> tuple[float, float]:
-    """Least and largest cost of repeated runs."""
-    whole = datum.problem == Problem.INDENTATION.value
-    return (datum.cpu_low, datum.cpu_high) if whole else (datum.ratio_low, datum.ratio_high)
-
-
 def comparable(data: Sequence[Datum], problem: Problem, *, ended: bool = True) -> list[Datum]:
     """Runs of a problem that ended, or did not, on the mesh and in the steps of the defaults."""
     parameters = {parameter.value for parameter in Parameter if parameter not in DISCRETISATION}
