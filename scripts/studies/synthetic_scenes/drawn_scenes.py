@@ -28,11 +28,6 @@ class Drawn:
     about: str
     document: Document
 
-    @property
-    def module(self) -> str:
-        """FEBio's module."""
-        return self.document.module
-
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""
         folder.mkdir(parents=True, exist_ok=True)

@@ -75,16 +75,14 @@ def later(params: str, kind: str = "sliding-elastic") -> Sketch:
         },
         {"block": neo(2.0), "roller": rigid((0, 0, -0.5))},
         (Touch("block-z0", "roller-x1", kind, params),),
-        {
-            "Boundary": (
-                fixed("block-x0", "x", "y"),
-                fixed("block-x1", "y"),
-                moved("block-x0", "z", -0.25, 2),
-                moved("block-x1", "z", -0.25, 2),
-            ),
-            "Loads": (press("block-z1", 0.005),),
-            "Rigid": (hold("roller"),),
-        },
+        (
+            fixed("block-x0", "x", "y"),
+            fixed("block-x1", "y"),
+            moved("block-x0", "z", -0.25, 2),
+            moved("block-x1", "z", -0.25, 2),
+            press("block-z1", 0.005),
+            hold("roller"),
+        ),
     )
 
 
@@ -105,14 +103,12 @@ def hinged(params: str, force: float = 0.1, joint: str = "rigid revolute joint",
         },
         {"block": neo(), "lever": rigid((0, 0, 0.5)), "post": rigid((-1.6, 0, 0.3))},
         (Touch("block-z1", "lever-x1", params=params + (friction(mu) if mu else "")),),
-        {
-            "Boundary": (fixed("block-z0", *FIXED_SIDES),),
-            "Rigid": (
-                hold("post"),
-                push("lever", "z", -force),
-                f'<rigid_connector type="{joint}" name="hinge">{inner}</rigid_connector>',
-            ),
-        },
+        (
+            fixed("block-z0", *FIXED_SIDES),
+            hold("post"),
+            push("lever", "z", -force),
+            f'<rigid_connector type="{joint}" name="hinge">{inner}</rigid_connector>',
+        ),
     )
 
 
@@ -134,10 +130,13 @@ def sprung(params: str, stiffness: float = 0.5, first: str = "ball") -> Sketch:
         },
         {"slab": neo(), "ball": rigid((0, 0, 0.8)), "hand": rigid((0, 0, 1.7))},
         (Touch(*sides, params=params),),
-        {
-            "Boundary": (fixed("slab-z0", *FIXED_SIDES),),
-            "Rigid": (hold("hand", "xyuvw"), hold("ball", "xyuvw"), shift("hand", "z", -0.4), *springs),
-        },
+        (
+            fixed("slab-z0", *FIXED_SIDES),
+            hold("hand", "xyuvw"),
+            hold("ball", "xyuvw"),
+            shift("hand", "z", -0.4),
+            *springs,
+        ),
     )
 
 
@@ -150,10 +149,12 @@ def rolls(params: str, force: float = 0.05, turn: float = 1.5) -> Sketch:
         },
         {"slab": neo(2.0), "roller": rigid((0, 0, 0.79))},
         (Touch("slab-z1", "roller-x1", params=params),),
-        {
-            "Boundary": (fixed("slab-z0", *FIXED_SIDES),),
-            "Rigid": (hold("roller", "yuw"), push("roller", "z", -force, 4), spin("roller", "Rv", turn, 2)),
-        },
+        (
+            fixed("slab-z0", *FIXED_SIDES),
+            hold("roller", "yuw"),
+            push("roller", "z", -force, 4),
+            spin("roller", "Rv", turn, 2),
+        ),
         Scheme(40, 0.05),
     )
 
@@ -185,13 +186,7 @@ class Hertz:
             },
             {"block": neo(), "ball": material},
             (Touch("ball-z0", "block-z1", params=self.params),),
-            {
-                "Boundary": (
-                    fixed("block-z0", *FIXED_SIDES),
-                    fixed("ball-z1", "x", "y"),
-                    moved("ball-z1", "z", -self.depth),
-                ),
-            },
+            (fixed("block-z0", *FIXED_SIDES), fixed("ball-z1", "x", "y"), moved("ball-z1", "z", -self.depth)),
             self.scheme,
         )
 
@@ -211,10 +206,13 @@ def skin_on_foam(params: str, element: str = "quad4", load: float = 0.04) -> Ske
             Touch("skin-back", "foam-z1", params=params),
             Touch("skin-face", "ball-outside", params=params),
         ),
-        {
-            "Boundary": (fixed("foam-z0", *FIXED_SIDES), fixed("skin-x0", "y"), fixed("skin-y0", "x")),
-            "Rigid": (hold("ball", "xyuvw"), push("ball", "z", -load)),
-        },
+        (
+            fixed("foam-z0", *FIXED_SIDES),
+            fixed("skin-x0", "y"),
+            fixed("skin-y0", "x"),
+            hold("ball", "xyuvw"),
+            push("ball", "z", -load),
+        ),
     )
 
 
@@ -227,14 +225,12 @@ def peeled(params: str, kind: str = "sliding-elastic") -> Sketch:
         },
         {"block": neo(2.0), "strip": neo(1.0)},
         (Touch("strip-z0", "block-z1", kind, params),),
-        {
-            "Boundary": (
-                fixed("block-z0", *FIXED_SIDES),
-                fixed("strip-x0", "x", "y"),
-                fixed("strip-x1", "y"),
-                moved("strip-x1", "z", 0.15),
-            ),
-        },
+        (
+            fixed("block-z0", *FIXED_SIDES),
+            fixed("strip-x0", "x", "y"),
+            fixed("strip-x1", "y"),
+            moved("strip-x1", "z", 0.15),
+        ),
     )
 
 
@@ -248,10 +244,7 @@ def dropped(params: str, friction_: float = 0.0) -> Sketch:
         },
         {"slab": neo(2.0, 0.3, 1e-6), "ball": heavy},
         (Touch("ball-outside", "slab-z1", params=params + (friction(friction_) if friction_ else "")),),
-        {
-            "Boundary": (fixed("slab-z0", *FIXED_SIDES),),
-            "Initial": (thrown("ball", (100.0 if friction_ else 0.0, 0.0, -150.0)),),
-        },
+        (fixed("slab-z0", *FIXED_SIDES), thrown("ball", (100.0 if friction_ else 0.0, 0.0, -150.0))),
         Scheme(40, 1e-4, "DYNAMIC"),
     )
 
@@ -272,10 +265,7 @@ def capped(params: str, force: float = 0.02) -> Sketch:
         },
         {"cap": neo(10.0), "ball": rigid((0, 0, 0.77))},
         (Touch("cap-face", "ball-outside", params=params),),
-        {
-            "Boundary": edges,
-            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", -0.5) if not force else push("ball", "z", -force)),
-        },
+        (*edges, hold("ball", "xyuvw"), shift("ball", "z", -0.5) if not force else push("ball", "z", -force)),
         Scheme(20, 0.05),
     )
 
@@ -292,15 +282,13 @@ def flat_pair(params: str, kind: str, module: str = "solid", scheme: Scheme = US
         },
         {"low": low, "high": high},
         (Touch("high-z0", "low-z1", kind, params),),
-        {
-            "Boundary": (
-                fixed("low-z0", *FIXED_SIDES),
-                fixed("high-z1", "y"),
-                moved("high-z1", "z", -0.1),
-                moved("high-z1", "x", way, 2),
-                *ends,
-            ),
-        },
+        (
+            fixed("low-z0", *FIXED_SIDES),
+            fixed("high-z1", "y"),
+            moved("high-z1", "z", -0.1),
+            moved("high-z1", "x", way, 2),
+            *ends,
+        ),
         scheme,
         module=module,
     )
@@ -321,10 +309,7 @@ def meniscus(params: str, force: float = 0.3) -> Sketch:
             Touch("ring-z0", "layer-z1", "sliding-biphasic", params),
             Touch("layer-z1", "ball-z0", "sliding-biphasic", params),
         ),
-        {
-            "Boundary": (fixed("layer-z0", *FIXED_SIDES), fixed("ring-x1", "x", "y")),
-            "Rigid": (hold("ball", "xyuvw"), push("ball", "z", -force)),
-        },
+        (fixed("layer-z0", *FIXED_SIDES), fixed("ring-x1", "x", "y"), hold("ball", "xyuvw"), push("ball", "z", -force)),
         module="biphasic",
     )
 
@@ -387,16 +372,13 @@ SCENES: Mapping[str, Reported] = {
         partial(flat_pair, auglag(1.0), "sliding-facet-on-facet"),
     ),
     "biphasic-slides-stiff": Reported(
-        "a soft porous block on a stiffer one", partial(flat_pair, _FLUID, "sliding-biphasic", "biphasic"), "biphasic"
+        "a soft porous block on a stiffer one", partial(flat_pair, _FLUID, "sliding-biphasic", "biphasic")
     ),
     "biphasic-slides-ten-times-soft": Reported(
         "a soft porous block on a stiffer one, AUGLAG with a small penalty",
         partial(flat_pair, auglag(0.1, 0.1, NEAR + fluid(0.1)), "sliding-biphasic", "biphasic"),
-        "biphasic",
     ),
-    "meniscus": Reported(
-        "a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID), "biphasic"
-    ),
+    "meniscus": Reported("a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID)),
     "ogden-hertz-deep": Reported(
         "half an Ogden ball, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)
     ),

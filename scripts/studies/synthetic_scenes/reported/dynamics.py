@@ -37,12 +37,12 @@ def impact(
 ) -> Sketch:
     """A block is thrown onto another one, or onto a rigid wall."""
     slab = mapped((1, 1, 1) if wall else (6, 6, 3), box((-1, -1, -1), (1, 1, 0)))
-    held = {"Rigid": (hold("slab"),)} if wall else {"Boundary": (fixed("slab-z0", "x", "y", "z"),)}
+    held = hold("slab") if wall else fixed("slab-z0", "x", "y", "z")
     return Sketch(
         {"slab": slab, "block": mapped((5, 5, 5), box((-0.7, -0.7, 0.02), (0.7, 0.7, 1.2)))},
         {"slab": rigid((0, 0, -0.5)) if wall else neo(2.0), "block": neo(1.0)},
         (Touch(f"block-{sides[0]}", f"slab-{sides[1]}", params=params),),
-        {**held, "Initial": (thrown("block", (0.0, 0.0, -speed)),)},
+        (held, thrown("block", (0.0, 0.0, -speed))),
         scheme,
     )
 
@@ -56,10 +56,7 @@ def ball_bounces(params: str, along: float = 0.0) -> Sketch:
         },
         {"slab": neo(5.0), "ball": mooney(0.3, 0.0, 10.0)},
         (Touch("ball-outside", "slab-z1", params=params),),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
-            "Initial": (thrown("ball", (along, 0.0, -4000.0)),),
-        },
+        (fixed("slab-z0", "x", "y", "z"), thrown("ball", (along, 0.0, -4000.0))),
         Scheme(60, 3e-6, "DYNAMIC"),
     )
 
@@ -74,11 +71,12 @@ def bullet(surfaces: str, kind: str, params: str, limit: float = 0.15) -> Sketch
         {"bullet": head, "block": mapped((7, 7, 4), box((-1, -1, -1), (1, 1, 0)))},
         {"bullet": rigid((0, 0, 0.01)), "block": neo(1.0)},
         (Touch("block-z1", "bullet-face", kind, params),),
-        {
-            "Boundary": (fixed("block-z0", "x", "y", "z"),),
-            "Rigid": (hold("bullet", "xyuvw"), shift("bullet", "z", -0.5)),
-            "MeshAdaptor": (f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>',),
-        },
+        (
+            fixed("block-z0", "x", "y", "z"),
+            hold("bullet", "xyuvw"),
+            shift("bullet", "z", -0.5),
+            f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>',
+        ),
         Scheme(15, 1.0 / 15.0, "DYNAMIC"),
     )
 
@@ -93,15 +91,13 @@ def wears(criterion: str, surfaces: str) -> Sketch:
         },
         {"slab": neo(1.0), "block": neo(2.0)},
         (Touch("block-z0", "slab-z1", params=auto(1.0, radius(0.5))),),
-        {
-            "Boundary": (
-                fixed("slab-z0", "x", "y", "z"),
-                fixed("block-z1", "y"),
-                moved("block-z1", "z", -0.06),
-                moved("block-z1", "x", 0.3, 2),
-            ),
-            "MeshAdaptor": (f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>',),
-        },
+        (
+            fixed("slab-z0", "x", "y", "z"),
+            fixed("block-z1", "y"),
+            moved("block-z1", "z", -0.06),
+            moved("block-z1", "x", 0.3, 2),
+            f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>',
+        ),
         Scheme(20),
     )
 

@@ -79,11 +79,14 @@ class Blocks:
                 "high": make(2.0, 0.1, self.permeability),
             },
             (Touch("high-z0", "low-z1", SALTY if self.solute else WET, self.params),),
-            {
-                "Boundary": (fixed("low-z0", "x", "y", "z"), *drive, *(drained(end) for end in ends), *held),
-                "Initial": start,
-                "Loads": (press("high-z1", self.load, self.curve),) if self.load else (),
-            },
+            (
+                fixed("low-z0", "x", "y", "z"),
+                *drive,
+                *(drained(end) for end in ends),
+                *held,
+                *start,
+                *((press("high-z1", self.load, self.curve),) if self.load else ()),
+            ),
             self.scheme,
             module="solute" if self.solute else "biphasic",
             globals=SOLUTE if self.solute else "",
@@ -101,10 +104,12 @@ def punch(params: str, scheme: Scheme, *, face: str = "x1", force: float = 0.1, 
         },
         {"punch": rigid((0, 0, 0.5)), "layer": biphasic(1.0, 0.0, 1e-3)},
         (Touch(*sides, WET, params),),
-        {
-            "Boundary": (fixed("layer-z0", "x", "y", "z"), *(fixed(f"layer-{side}", "y") for side in ("y0", "y1"))),
-            "Rigid": (hold("punch", "xyuvw"), push("punch", "z", -force, 4)),
-        },
+        (
+            fixed("layer-z0", "x", "y", "z"),
+            *(fixed(f"layer-{side}", "y") for side in ("y0", "y1")),
+            hold("punch", "xyuvw"),
+            push("punch", "z", -force, 4),
+        ),
         scheme,
         module="biphasic",
     )
@@ -116,68 +121,56 @@ SCENES: Mapping[str, Reported] = {
     "undrained": Reported(
         "porous blocks, steps a thousandth of the time of drainage",
         Blocks(_SOFT, Scheme(10, 0.1), permeability=1e-5),
-        "biphasic",
     ),
     "undrained-augmented": Reported(
         "porous blocks, steps a thousandth of the time of drainage, augmented",
         Blocks(auglag(1.0, 0.1, radius(0.5) + fluid(1.0)), Scheme(10, 0.1), permeability=1e-5),
-        "biphasic",
     ),
     "undrained-load": Reported(
         "porous blocks with a very low permeability under a sudden pressure",
         Blocks(_SOFT, Scheme(10, 0.1), load=0.05, curve=4, permeability=1e-6),
-        "biphasic",
     ),
     "biphasic-slides-friction-bfgs": Reported(
         "porous blocks slide, friction 0.2, BFGS",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0) + friction(0.2)), Scheme(20, updates=10), way=0.4),
-        "biphasic",
     ),
     "biphasic-slides-two-pass-tet4": Reported(
         "porous tetrahedra slide, two passes",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0) + TWO_PASS), Scheme(20), "tet4", way=0.4),
-        "biphasic",
     ),
     "biphasic-tet10-broyden": Reported(
-        "porous tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10"), "biphasic"
+        "porous tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10")
     ),
     "biphasic-load-augmented": Reported(
         "porous blocks under a pressure, AUGLAG with a small penalty",
         Blocks(auglag(0.1, 0.1, radius(0.5) + fluid(0.1)), load=0.05),
-        "biphasic",
     ),
     "biphasic-punch": Reported(
-        "a rigid cylinder under a force creeps into a porous layer", partial(punch, _SOFT, Scheme(20)), "biphasic"
+        "a rigid cylinder under a force creeps into a porous layer", partial(punch, _SOFT, Scheme(20))
     ),
     "biphasic-punch-bfgs": Reported(
         "a rigid cylinder creeps into a porous layer, the cylinder as primary surface, BFGS",
         partial(punch, _SOFT, Scheme(20, updates=10), first="punch"),
-        "biphasic",
     ),
     "biphasic-punch-outside": Reported(
         "a rigid cylinder creeps into a porous layer, whole outside",
         partial(punch, _SOFT, Scheme(20), face="outside"),
-        "biphasic",
     ),
     "solute-two-pass": Reported(
         "a solute crosses, two passes",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0, 1.0) + TWO_PASS), solute=True),
-        "solute",
     ),
     "solute-slides-tet10": Reported(
         "a solute crosses between sliding tet10",
         Blocks(_SALT, Scheme(20), "tet10", way=0.3, solute=True),
-        "solute",
     ),
     "solute-load-bfgs": Reported(
         "a solute crosses under a pressure, BFGS",
         Blocks(_SALT, Scheme(10, updates=10), load=0.02, solute=True),
-        "solute",
     ),
     "solute-augmented": Reported(
         "a solute crosses, AUGLAG with a small penalty",
         Blocks(auglag(0.2, 0.1, radius(0.5) + fluid(0.2, 0.2)), solute=True, way=0.3, scheme=Scheme(20)),
-        "solute",
     ),
 }
 """By name."""

@@ -92,10 +92,12 @@ class Dome:
             },
             {"slab": self.low, "dome": self.high},
             (Touch(*sides, params=self.params),),
-            {
-                "Boundary": (fixed("slab-z0", "x", "y", "z"), *across, *drive),
-                "Loads": (press("dome-z1", self.load, 4 if self.held else 1),) if self.load else (),
-            },
+            (
+                fixed("slab-z0", "x", "y", "z"),
+                *across,
+                *drive,
+                *((press("dome-z1", self.load, 4 if self.held else 1),) if self.load else ()),
+            ),
             self.scheme,
         )
 
@@ -113,14 +115,12 @@ def stack(params: str, materials: Sequence[Material], side: str, element: str = 
         {name: mapped(c, place, element) for name, c, place in zip(names, cells, places, strict=True)},
         dict(zip(names, materials, strict=True)),
         tuple(pairs),
-        {
-            "Boundary": (
-                fixed("one-z0", "x", "y", "z"),
-                fixed("four-z1", "x", "y"),
-                *(fixed(f"{name}-x0", "x", "y") for name in names[1:3]),
-                *(moved("four-z1", "z", -0.15),),
-            ),
-        },
+        (
+            fixed("one-z0", "x", "y", "z"),
+            fixed("four-z1", "x", "y"),
+            *(fixed(f"{name}-x0", "x", "y") for name in names[1:3]),
+            *(moved("four-z1", "z", -0.15),),
+        ),
     )
 
 
@@ -134,16 +134,14 @@ def two_on_one(params: str, way: float = 0.2) -> Sketch:
         },
         {"slab": neo(), "left": rigid((-0.6, 0, 0.5)), "right": rigid((0.6, 0, 0.5))},
         tuple(Touch("slab-z1", f"{name}-outside", params=params) for name in ("left", "right")),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
-            "Rigid": (
-                hold("left", "yuvw"),
-                hold("right", "xyuvw"),
-                shift("left", "z", -0.15),
-                shift("right", "z", -0.15),
-                shift("left", "x", way, 2),
-            ),
-        },
+        (
+            fixed("slab-z0", "x", "y", "z"),
+            hold("left", "yuvw"),
+            hold("right", "xyuvw"),
+            shift("left", "z", -0.15),
+            shift("right", "z", -0.15),
+            shift("left", "x", way, 2),
+        ),
         Scheme(20),
     )
 
@@ -155,13 +153,12 @@ def beam(params: str, rest: str, element: str = "hex8", load: float = 0.02) -> S
     bodies = {"beam": mapped(cells, box((0, -0.4, 0), (3, 0.4, 0.3)), element)}
     is_rigid = rest == "rigid"
     bodies["rest"] = mapped((1, 24, 2), low)
-    held = {"Rigid": (hold("rest"),)} if is_rigid else {}
-    fixes = [fixed("beam-x0", "x", "y", "z")] + ([] if is_rigid else [fixed("rest-x0", "x", "y", "z")])
+    held = hold("rest") if is_rigid else fixed("rest-x0", "x", "y", "z")
     return Sketch(
         bodies,
         {"beam": neo(10.0), "rest": rigid((2.5, 0, -0.7)) if is_rigid else neo(1.0)},
         (Touch("beam-z0", "rest-x1", params=params),),
-        {"Boundary": tuple(fixes), "Loads": (press("beam-z1", load),), **held},
+        (fixed("beam-x0", "x", "y", "z"), held, press("beam-z1", load)),
     )
 
 
@@ -170,17 +167,13 @@ def blown(params: str, rest: Material, thickness: float = 0.05, load: float = 0.
     flat = box((-1, -1, 0), (1, 1, 0))
     sheet = shell((10, 10), flat, thickness)
     above = mapped((6, 6, 2), box((-1.2, -1.2, 0.15), (1.2, 1.2, 0.75)))
-    is_rigid = rest[0] == "rigid body"
+    held = hold("rest") if rest[0] == "rigid body" else fixed("rest-z1", "x", "y", "z")
     edges = [fixed(f"skin-{side}", "x", "y", "z") for side in ("x0", "x1", "y0", "y1")]
     return Sketch(
         {"skin": sheet, "rest": above},
         {"skin": neo(5.0), "rest": rest},
         (Touch("skin-face", "rest-z0", params=params),),
-        {
-            "Boundary": (*edges, *(() if is_rigid else (fixed("rest-z1", "x", "y", "z"),))),
-            "Loads": (press("skin-back", load),),
-            **({"Rigid": (hold("rest"),)} if is_rigid else {}),
-        },
+        (*edges, held, press("skin-back", load)),
     )
 
 
@@ -192,10 +185,12 @@ def twist(params: str, material: Material, angle: float, element: str = "hex8") 
         {"block": mapped(cells, box((-1, -1, -0.8), (1, 1, 0)), element), "disc": mapped((3, 16, 1), disc)},
         {"block": material, "disc": rigid((0, 0, 0.16))},
         (Touch("disc-z0", "block-z1", params=params),),
-        {
-            "Boundary": (fixed("block-z0", "x", "y", "z"),),
-            "Rigid": (hold("disc", "xyuv"), shift("disc", "z", -0.1), spin("disc", "Rw", angle, 2)),
-        },
+        (
+            fixed("block-z0", "x", "y", "z"),
+            hold("disc", "xyuv"),
+            shift("disc", "z", -0.1),
+            spin("disc", "Rw", angle, 2),
+        ),
         Scheme(20),
     )
 
@@ -207,10 +202,11 @@ def plug(params: str, force: float = 0.0, material: Material | None = None) -> S
         {"ring": mapped((2, 20, 4), arc(0.8, 1.3, 0.6)), "plug": mapped((1, 24, 5), cone)},
         {"ring": material or mooney(0.3, 0.0, 20.0), "plug": rigid()},
         (Touch("ring-x0", "plug-x1", params=params),),
-        {
-            "Boundary": (fixed("ring-x1", "x", "y", "z"),),
-            "Rigid": (hold("plug", "xyuvw"), push("plug", "z", -force) if force else shift("plug", "z", -0.25)),
-        },
+        (
+            fixed("ring-x1", "x", "y", "z"),
+            hold("plug", "xyuvw"),
+            push("plug", "z", -force) if force else shift("plug", "z", -0.25),
+        ),
     )
 
 
@@ -224,10 +220,12 @@ def arch(params: str, depth: float = 0.6) -> Sketch:
         },
         {"arch": neo(10.0), "ball": rigid((0, 0, 0.8))},
         (Touch("arch-x1", "ball-outside", params=params),),
-        {
-            "Boundary": (fixed("arch-y0", "x", "y", "z"), fixed("arch-y1", "x", "y", "z")),
-            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", -depth)),
-        },
+        (
+            fixed("arch-y0", "x", "y", "z"),
+            fixed("arch-y1", "x", "y", "z"),
+            hold("ball", "xyuvw"),
+            shift("ball", "z", -depth),
+        ),
         Scheme(20, 0.05),
     )
 
@@ -241,10 +239,13 @@ def crushed(params: str, element: str = "hex8", depth: float = 0.3) -> Sketch:
         {"tube": mapped(cells, half, element), "roll": mapped((1, 20, 2), roll)},
         {"tube": mooney(1.0, 0.0, 100.0), "roll": rigid((0, 0, 1.505))},
         (Touch("tube-x1", "roll-x1", params=params),),
-        {
-            "Boundary": (fixed("tube-y0", "x", "z"), fixed("tube-y1", "z"), fixed("tube-z0", "y")),
-            "Rigid": (hold("roll", "xyuvw"), shift("roll", "z", -depth)),
-        },
+        (
+            fixed("tube-y0", "x", "z"),
+            fixed("tube-y1", "z"),
+            fixed("tube-z0", "y"),
+            hold("roll", "xyuvw"),
+            shift("roll", "z", -depth),
+        ),
     )
 
 

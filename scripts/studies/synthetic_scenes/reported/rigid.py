@@ -68,11 +68,11 @@ class Cam:
             {"cam": mapped((1, 48, 2), _cam(self.eccentric, self.stretch)), "follower": follower},
             {"cam": rigid(), "follower": neo(5.0) if self.soft else rigid((0.3, 0.0, top + 0.2))},
             (Touch("cam-x1", "follower-z0", params=self.params or given(50.0)),),
-            {
-                "Boundary": (fixed("follower-z1", "x", "y"),) if self.soft else (),
-                "Rigid": rigid_parts,
-                "Loads": (press("follower-z1", 0.05, 4),) if self.soft else (),
-            },
+            (
+                *((fixed("follower-z1", "x", "y"),) if self.soft else ()),
+                *rigid_parts,
+                *((press("follower-z1", 0.05, 4),) if self.soft else ()),
+            ),
             Scheme(self.steps, 1.0 / self.steps),
         )
 
@@ -101,10 +101,11 @@ class Punch:
             },
             {"punch": rigid((0, 0, 0.5)), "block": self.material},
             (Touch(*sides, params=self.params),),
-            {
-                "Boundary": (fixed("block-z0", "x", "y", "z"),),
-                "Rigid": (hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -self.force)),
-            },
+            (
+                fixed("block-z0", "x", "y", "z"),
+                hold("punch", "xyw" if self.free else "xyuvw"),
+                push("punch", "z", -self.force),
+            ),
             self.scheme,
         )
 
@@ -120,15 +121,13 @@ def wheel(mu: float) -> Sketch:
         {"wheel": mapped((1, 40, 3), disc), "slab": mapped((16, 4, 3), box((-1, -0.5, -0.8), (2.2, 0.5, 0.0)))},
         {"wheel": rigid((0, 0, 1.01)), "slab": neo()},
         (Touch("slab-z1", "wheel-x1", params=auto(1.0, friction(mu))),),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
-            "Rigid": (
-                hold("wheel", "yuw"),
-                shift("wheel", "z", -0.1),
-                shift("wheel", "x", 1.0, 2),
-                spin("wheel", "Rv", 1.0, 2),
-            ),
-        },
+        (
+            fixed("slab-z0", "x", "y", "z"),
+            hold("wheel", "yuw"),
+            shift("wheel", "z", -0.1),
+            shift("wheel", "x", 1.0, 2),
+            spin("wheel", "Rv", 1.0, 2),
+        ),
         Scheme(30, 1.0 / 15.0),
     )
 
@@ -167,15 +166,14 @@ class BetweenPlates:
                 Touch(f"body-{self.side if self.side == 'outside' else 'z0'}", "low-face", self.kind, self.params),
                 Touch(f"body-{self.side if self.side == 'outside' else 'z1'}", "high-face", self.kind, self.params),
             ),
-            {
-                "Boundary": (fixed("body-x0", "x", "y", "z"), *open_side),
-                "Rigid": (
-                    hold("low", "xyuvw"),
-                    hold("high", "xyuvw"),
-                    shift("low", "z", self.way / 2),
-                    shift("high", "z", -self.way / 2),
-                ),
-            },
+            (
+                fixed("body-x0", "x", "y", "z"),
+                *open_side,
+                hold("low", "xyuvw"),
+                hold("high", "xyuvw"),
+                shift("low", "z", self.way / 2),
+                shift("high", "z", -self.way / 2),
+            ),
             Scheme(updates=self.updates),
             module=self.module,
         )
@@ -250,7 +248,6 @@ SCENES: Mapping[str, Reported] = {
             kind="sliding-biphasic",
             module="biphasic",
         ),
-        "biphasic",
     ),
 }
 """By name."""

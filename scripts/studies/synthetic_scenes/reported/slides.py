@@ -59,14 +59,12 @@ class Blocks:
             },
             {"low": self.material, "high": self.material},
             (Touch("high-z0", "low-z1", params=self.params),),
-            {
-                "Boundary": (
-                    fixed("low-z0", "x", "y", "z"),
-                    fixed("high-z1", "y"),
-                    moved("high-z1", "z", -0.12),
-                    moved("high-z1", "x", self.way, 3 if self.back else 2),
-                )
-            },
+            (
+                fixed("low-z0", "x", "y", "z"),
+                fixed("high-z1", "y"),
+                moved("high-z1", "z", -0.12),
+                moved("high-z1", "x", self.way, 3 if self.back else 2),
+            ),
             Scheme(30) if self.back else self.scheme,
         )
 
@@ -103,15 +101,13 @@ class Groove:
             },
             {"groove": material, "cylinder": material},
             (Touch(self.primary, secondary, self.kind, self.params),),
-            {
-                "Boundary": (
-                    fixed("groove-x1", "x", "y", "z"),
-                    fixed("cylinder-x0", "x") if not self.slides else moved("cylinder-x0", "x", 0.15, 2),
-                    fixed("cylinder-x0", "y"),
-                    moved("cylinder-x0", "z", -0.12),
-                    *open_sides,
-                )
-            },
+            (
+                fixed("groove-x1", "x", "y", "z"),
+                fixed("cylinder-x0", "x") if not self.slides else moved("cylinder-x0", "x", 0.15, 2),
+                fixed("cylinder-x0", "y"),
+                moved("cylinder-x0", "z", -0.12),
+                *open_sides,
+            ),
             Scheme(20 if self.slides else 10, updates=self.updates),
             module="biphasic" if self.porous else "solid",
         )
@@ -178,7 +174,6 @@ SCENES: Mapping[str, Reported] = {
     "groove-biphasic-two-pass": Reported(
         "incongruent porous cylinders, two passes",
         Groove(auto(1.0, TWO_PASS + NEAR + fluid(1.0)), kind="sliding-biphasic", porous=True),
-        "biphasic",
     ),
     "groove-biphasic-slides-augmented": Reported(
         "incongruent porous cylinders slide, two passes, AUGLAG with a small penalty, friction 0.1",
@@ -188,7 +183,6 @@ SCENES: Mapping[str, Reported] = {
             porous=True,
             slides=True,
         ),
-        "biphasic",
     ),
 }
 """By name."""

@@ -39,7 +39,7 @@ def strap_on_bone(
         {"bone": _bone(2.0), "strap": _strap(2.02, 3.0, element=element)},
         {"bone": rigid(), "strap": SKIN},
         (Touch("strap-face", f"bone-{surface}", kind, params or auto(1.0, radius(0.5))),),
-        {"Boundary": _pulled(2.0), "Rigid": (hold("bone"),)},
+        (*_pulled(2.0), hold("bone")),
         Scheme(updates=updates),
     )
 
@@ -50,7 +50,7 @@ def strap_on_two_bones(reach: str) -> Sketch:
         {"one": _bone(1.2, -1.5), "two": _bone(1.2, 1.5), "strap": _strap(1.22, 3.5, (28, 4))},
         {"one": rigid((-1.5, 0, 0)), "two": rigid((1.5, 0, 0)), "strap": SKIN},
         tuple(Touch("strap-face", f"{bone}-outside", params=auto(1.0, reach)) for bone in ("one", "two")),
-        {"Boundary": _pulled(1.2), "Rigid": (hold("one"), hold("two"))},
+        (*_pulled(1.2), hold("one"), hold("two")),
     )
 
 
@@ -62,10 +62,11 @@ def ball_in_trampoline(primary: str = "net-face", secondary: str = "ball-outside
         {"ball": mapped((5, 5, 5), shifted(ball(1.0), (0, 0, -0.98))), "net": net},
         {"ball": rigid((0, 0, -0.98)), "net": SKIN},
         (Touch(primary, secondary, params=auto(1.0, radius(0.6))),),
-        {
-            "Boundary": tuple(fixed(f"net-{edge}", "x", "y", "z") for edge in ("x0", "x1", "y0", "y1")),
-            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", 0.6)),
-        },
+        (
+            *tuple(fixed(f"net-{edge}", "x", "y", "z") for edge in ("x0", "x1", "y0", "y1")),
+            hold("ball", "xyuvw"),
+            shift("ball", "z", 0.6),
+        ),
     )
 
 
@@ -76,10 +77,11 @@ def rod_on_plate() -> Sketch:
         {"rod": mapped((2, 20, 3), shifted(turned(arc(0.2, 0.5, 3.0), "x", 90.0), (0, 0, 0.48))), "plate": plate},
         {"rod": rigid((0, 0, 0.48)), "plate": SKIN},
         (Touch("plate-face", "rod-outside", params=auto(1.0, radius(0.3))),),
-        {
-            "Boundary": tuple(fixed(f"plate-{edge}", "x", "y", "z") for edge in ("x0", "x1")),
-            "Rigid": (hold("rod", "xyuvw"), push("rod", "z", -0.02)),
-        },
+        (
+            *tuple(fixed(f"plate-{edge}", "x", "y", "z") for edge in ("x0", "x1")),
+            hold("rod", "xyuvw"),
+            push("rod", "z", -0.02),
+        ),
     )
 
 
@@ -93,14 +95,12 @@ def shells_on_shells() -> Sketch:
         {"lower": lower, "upper": upper},
         {"lower": SKIN, "upper": SKIN},
         (Touch("upper-face", "lower-face", params=auto(1.0, radius(0.5))),),
-        {
-            "Boundary": (
-                *(fixed(f"lower-{edge}", "x", "y", "z") for edge in held),
-                *(fixed(f"upper-{edge}", "x", "y") for edge in held),
-                *(moved(f"upper-{edge}", "z", -0.1) for edge in held),
-            ),
-            "Loads": (press("upper-back", 0.002),),
-        },
+        (
+            *(fixed(f"lower-{edge}", "x", "y", "z") for edge in held),
+            *(fixed(f"upper-{edge}", "x", "y") for edge in held),
+            *(moved(f"upper-{edge}", "z", -0.1) for edge in held),
+            press("upper-back", 0.002),
+        ),
     )
 
 
@@ -111,7 +111,7 @@ def strip_on_bone(element: str, sides: tuple[str, str], updates: int = 0, penalt
         {"bone": _bone(2.0), "strap": strip},
         {"bone": rigid(), "strap": neo(5.0)},
         (Touch(f"strap-{sides[0]}", f"bone-{sides[1]}", params=penalty or auto(1.0, radius(0.5))),),
-        {"Boundary": _pulled(2.0), "Rigid": (hold("bone"),)},
+        (*_pulled(2.0), hold("bone")),
         Scheme(updates=updates),
     )
 
