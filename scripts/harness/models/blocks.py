@@ -59,12 +59,12 @@ def _is_left_handed(points: Points) -> bool:
     return bool(np.linalg.det(np.stack([edge - points[0, 0, 0] for edge in edges])) < 0.0)
 
 
-def merged(bodies: Sequence[Body], tolerance: float = 1e-9) -> Body:
-    """One body, in which nodes nearer than `tolerance` (mm) to each other are one node."""
+def merged(bodies: Sequence[Body]) -> Body:
+    """One body, in which nodes nearer than 1e-9 mm to each other are one node."""
     nodes = np.concatenate([body.nodes for body in bodies])
     offsets = np.cumsum([0, *(len(body.nodes) for body in bodies[:-1])])
     elements = np.concatenate([body.elements + offset for body, offset in zip(bodies, offsets, strict=True)])
-    kept, number = joined(nodes, tolerance)
+    kept, number = joined(nodes, 1e-9)
     return Body(kept, number[elements])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from harness.models.diffusion import CLOSING, DIFFUSIVITY, HEIGHT
 from harness.models.layered import Layered
@@ -12,7 +13,6 @@ from harness.models.parts import (
     TEMPERATURE,
     Condition,
     Control,
-    Material,
     Mixture,
     Solid,
     Solute,
@@ -50,6 +50,7 @@ class Convection(Layered):
 
     CLOSING = CLOSING
     BOTTOM = -HEIGHT / 2
+    MATERIALS: ClassVar = {"gel": MATERIAL}
 
     @property
     def title(self) -> str:
@@ -60,11 +61,6 @@ class Convection(Layered):
     def about(self) -> str:
         """What the model shows."""
         return ABOUT.format(peclet=self.peclet, pressure=PRESSURES[self.peclet])
-
-    @property
-    def materials(self) -> dict[str, Material]:
-        """The same in both cubes."""
-        return {"gel": MATERIAL}
 
     @property
     def layers(self) -> list[Layer]:

@@ -75,8 +75,6 @@ class Indentation:
         Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
         turns inside out.
     control : Control
-    gel : Mixture
-        Material of both bodies.
     module : str, optional
         The module that `interface` asks for without it.
     name : str
@@ -89,7 +87,6 @@ class Indentation:
     clamp: bool = True
     gripped: bool = True
     control: Control = CONTROL
-    gel: Mixture = GEL
     module: str | None = None
     name: str = "indentation"
     plot: bool = False
@@ -103,7 +100,7 @@ class Indentation:
             header(self.name, ABOUT.format(radius=self.grid.radius, depth=DEPTH), self.interface),
             module,
             made,
-            {"slab": self.gel, "cylinder": self.gel},
+            {"slab": GEL, "cylinder": GEL},
             self._conditions(),
             self._control(module),
             contacts(self.interface, made, self.settings),
@@ -122,7 +119,7 @@ class Indentation:
             *grip,
             displace("top", "y", -DEPTH, RAMP_CURVE),
             initial_concentration("slab", CONCENTRATION),
-            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * self.gel.osmotic * CONCENTRATION),
+            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * GEL.osmotic * CONCENTRATION),
         )
 
     def _control(self, module: str) -> Control:

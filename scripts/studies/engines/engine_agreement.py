@@ -49,15 +49,15 @@ COMPARISONS = (
 )
 
 
-def strict(model: Model, floor: float, tolerance: float = TOLERANCE) -> Model:
+def strict(model: Model, floor: float) -> Model:
     """The model with tolerances that leave nothing but rounding, and with steps that do not follow the iterations."""
     stepper = model.control.stepper and replace(model.control.stepper, force=True)
     control = replace(
         model.control,
-        displacement_tolerance=tolerance,
+        displacement_tolerance=TOLERANCE,
         energy_tolerance=0.0,
-        pressure_tolerance=tolerance,
-        concentration_tolerance=tolerance,
+        pressure_tolerance=TOLERANCE,
+        concentration_tolerance=TOLERANCE,
         reformations=2 * model.control.reformations,
         stepper=stepper,
         solver=(Param("min_residual", floor), *model.control.solver),

@@ -9,11 +9,14 @@ from scipy.optimize import brentq
 
 from harness.models.document import Model
 from harness.models.mesh import Box, Ids, Layer, Mesh, Part, assemble, conforming_column
-from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
+from harness.models.parts import Curve, Solid, displace, fix, normal_load
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import HOLD, RAMP, ambient_at, stress, stretches
 from studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
+
+CUSHION = Solid(0.01)
+"""The regularisation of `Dropped`: 1 mm of it."""
 
 
 @dataclass(frozen=True)
@@ -26,15 +29,12 @@ class Seesaw:
         Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `shortening`, below 0 is open.
     shortening : float
         mm.
-    own : tuple of Param
-        Further parameters of the plugin's interface alone.
     """
 
     left: tuple[tuple[float, float], ...]
     right: tuple[tuple[float, float], ...]
     shortening: float = 0.05
     times: tuple[float, ...] = (*RAMP, *HOLD)
-    own: tuple[Param, ...] = ()
     name: str = "seesaw"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -52,7 +52,7 @@ class Seesaw:
         )
         text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
-        joined = interface.contacts("multiphasic", made, self.own if interface.ours else ())
+        joined = interface.contacts("multiphasic", made)
         model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
         return finished(model, interface)
 
@@ -93,13 +93,10 @@ class Dropped:
         mm.
     load : float
         MPa.
-    cushion : Solid
-        The regularisation: 1 mm of it.
     """
 
     gap: float = 0.02
     load: float = 0.03
-    cushion: Solid = Solid(0.01)
     name: str = "dropped"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -114,7 +111,7 @@ class Dropped:
             *ambient_at("ceiling", (0.0,)),
             normal_load("loaded", self.load, 1),
         )
-        materials = {"gel": GEL, "cushion": replace(GEL, solid=self.cushion)}
+        materials = {"gel": GEL, "cushion": replace(GEL, solid=CUSHION)}
         curves = (Curve(((0.0, 0.0), (RAMP[-1], 1.0))), steps)
         text = f"Hard case {self.name}: a block that a load moves."
         joined = interface.contacts("multiphasic", made)
@@ -148,7 +145,7 @@ class Dropped:
 
         def balance(shortening: float) -> float:
             pressed = stress(GEL.solid, stretches(GEL.solid, GEL.solid, shortening)[0])
-            return self.load + pressed - stress(self.cushion, 1.0 + self.gap + shortening)
+            return self.load + pressed - stress(CUSHION, 1.0 + self.gap + shortening)
 
         exact = self.gap + float(brentq(balance, 1e-9, 0.5))
         loaded = np.unique(run.model.mesh.surfaces["loaded"]) - 1

@@ -164,10 +164,10 @@ def rigid(name: str, number: int, extra: str = "") -> str:
     return f'<material id="{number}" name="{name}" type="rigid body">{inner}</material>'
 
 
-def biphasic(name: str, number: int, modulus: float = 1.0, permeability: float = 1e-3) -> str:
+def biphasic(name: str, number: int, modulus: float = 1.0) -> str:
     """A biphasic material with a neo-Hookean solid."""
     solid = f'<solid type="neo-Hookean"><density>1</density><E>{modulus}</E><v>0</v></solid>'
-    flow = f'<permeability type="perm-const-iso"><perm>{permeability}</perm></permeability>'
+    flow = '<permeability type="perm-const-iso"><perm>0.001</perm></permeability>'
     inner = f"<phi0>0.2</phi0><fluid_density>1e-9</fluid_density>{solid}{flow}"
     return f'<material id="{number}" name="{name}" type="biphasic">{inner}</material>'
 

@@ -27,6 +27,7 @@ TURN = 180.0
 """Degrees."""
 PRESSED, END = 10.0, 100.0
 """s."""
+TURNING_STEPS = 45
 ABOUT = """\
 A hollow hemisphere (radii 1 and 2/3 mm) is pressed by 1 mm into a block of 2 mm without friction, then turned by 180
 degrees with friction (mu = 0.5): example of Sauer and De Lorenzis (2015), Int J Numer Methods Eng 101(4):251-280, and
@@ -43,8 +44,6 @@ class TwistingHemisphere:
         Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge.
     through : int
         Elements through the hemisphere's wall.
-    turning : int
-        Steps of turning.
     interface : InterfaceType
     settings : ContactSettings, optional
         Default settings without it; friction is added.
@@ -53,7 +52,6 @@ class TwistingHemisphere:
 
     elements: int = 6
     through: int = 2
-    turning: int = 45
     interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
     name: str = "twisting-hemisphere"
@@ -84,7 +82,7 @@ class TwistingHemisphere:
     @property
     def times(self) -> tuple[float, ...]:
         """Ends of the steps, s: ten of pressing, then those of turning."""
-        turning = np.linspace(PRESSED, END, self.turning + 1)[1:]
+        turning = np.linspace(PRESSED, END, TURNING_STEPS + 1)[1:]
         return (*(PRESSED * k / 10.0 for k in range(1, 11)), *turning.tolist())
 
     def _control(self, must: int) -> Control:

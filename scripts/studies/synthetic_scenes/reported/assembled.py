@@ -86,7 +86,7 @@ def later(params: str, kind: str = "sliding-elastic") -> Sketch:
     )
 
 
-def hinged(params: str, force: float = 0.1, joint: str = "rigid revolute joint", mu: float = 0.0) -> Sketch:
+def hinged(params: str, mu: float = 0.0) -> Sketch:
     """A rigid lever, which a joint holds at one end, is pressed onto a soft block by a force at its middle."""
     inner = (
         "<tolerance>0</tolerance><gaptol>1e-4</gaptol><angtol>1e-4</angtol><force_penalty>1e3</force_penalty>"
@@ -106,13 +106,13 @@ def hinged(params: str, force: float = 0.1, joint: str = "rigid revolute joint",
         (
             fixed("block-z0", *FIXED_SIDES),
             hold("post"),
-            push("lever", "z", -force),
-            f'<rigid_connector type="{joint}" name="hinge">{inner}</rigid_connector>',
+            push("lever", "z", -0.1),
+            f'<rigid_connector type="rigid revolute joint" name="hinge">{inner}</rigid_connector>',
         ),
     )
 
 
-def sprung(params: str, stiffness: float = 0.5, first: str = "ball") -> Sketch:
+def sprung(params: str, first: str = "ball") -> Sketch:
     """A rigid ball on springs of a rigid body is brought down onto a soft slab: springs alone hold it sideways."""
     spring = (
         '<rigid_connector type="rigid spring" name="spring{n}"><body_a>hand</body_a><body_b>ball</body_b>'
@@ -120,7 +120,7 @@ def sprung(params: str, stiffness: float = 0.5, first: str = "ball") -> Sketch:
         "<k>{k}</k></rigid_connector>"
     )
     places = ((-0.3, -0.3), (0.3, -0.3), (0.3, 0.3), (-0.3, 0.3))
-    springs = [spring.format(n=n, x=x, y=y, k=stiffness) for n, (x, y) in enumerate(places)]
+    springs = [spring.format(n=n, x=x, y=y, k=0.5) for n, (x, y) in enumerate(places)]
     sides = ("ball-outside", "slab-z1") if first == "ball" else ("slab-z1", "ball-outside")
     return Sketch(
         {
@@ -140,7 +140,7 @@ def sprung(params: str, stiffness: float = 0.5, first: str = "ball") -> Sketch:
     )
 
 
-def rolls(params: str, force: float = 0.05, turn: float = 1.5) -> Sketch:
+def rolls(params: str) -> Sketch:
     """A rigid cylinder under a force is drawn over a slab by a force of friction: it rolls."""
     return Sketch(
         {
@@ -152,8 +152,8 @@ def rolls(params: str, force: float = 0.05, turn: float = 1.5) -> Sketch:
         (
             fixed("slab-z0", *FIXED_SIDES),
             hold("roller", "yuw"),
-            push("roller", "z", -force, 4),
-            spin("roller", "Rv", turn, 2),
+            push("roller", "z", -0.05, 4),
+            spin("roller", "Rv", 1.5, 2),
         ),
         Scheme(40, 0.05),
     )
@@ -191,7 +191,7 @@ class Hertz:
         )
 
 
-def skin_on_foam(params: str, element: str = "quad4", load: float = 0.04) -> Sketch:
+def skin_on_foam(params: str, element: str = "quad4") -> Sketch:
     """A stiff shell lies on a soft block, and a rigid ball presses both: two contacts, the shell between them."""
     cells = (8, 8)
     lies = box((-1, -1, 0.0), (1, 1, 0.0))
@@ -211,7 +211,7 @@ def skin_on_foam(params: str, element: str = "quad4", load: float = 0.04) -> Ske
             fixed("skin-x0", "y"),
             fixed("skin-y0", "x"),
             hold("ball", "xyuvw"),
-            push("ball", "z", -load),
+            push("ball", "z", -0.04),
         ),
     )
 
@@ -270,7 +270,7 @@ def capped(params: str, force: float = 0.02) -> Sketch:
     )
 
 
-def flat_pair(params: str, kind: str, module: str = "solid", scheme: Scheme = USUAL, way: float = 0.4) -> Sketch:
+def flat_pair(params: str, kind: str, module: str = "solid") -> Sketch:
     """A small soft block is pressed onto a larger stiff one and drawn along it."""
     porous = module == "biphasic"
     low, high = (biphasic(5.0), biphasic(1.0)) if porous else (neo(50.0), neo(1.0))
@@ -286,10 +286,9 @@ def flat_pair(params: str, kind: str, module: str = "solid", scheme: Scheme = US
             fixed("low-z0", *FIXED_SIDES),
             fixed("high-z1", "y"),
             moved("high-z1", "z", -0.1),
-            moved("high-z1", "x", way, 2),
+            moved("high-z1", "x", 0.4, 2),
             *ends,
         ),
-        scheme,
         module=module,
     )
 

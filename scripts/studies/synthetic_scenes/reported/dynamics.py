@@ -29,7 +29,6 @@ FAST = Scheme(40, 2.5e-6, "DYNAMIC")
 
 def impact(
     params: str,
-    speed: float = 3000.0,
     *,
     wall: bool = False,
     scheme: Scheme = FAST,
@@ -42,7 +41,7 @@ def impact(
         {"slab": slab, "block": mapped((5, 5, 5), box((-0.7, -0.7, 0.02), (0.7, 0.7, 1.2)))},
         {"slab": rigid((0, 0, -0.5)) if wall else neo(2.0), "block": neo(1.0)},
         (Touch(f"block-{sides[0]}", f"slab-{sides[1]}", params=params),),
-        (held, thrown("block", (0.0, 0.0, -speed))),
+        (held, thrown("block", (0.0, 0.0, -3000.0))),
         scheme,
     )
 
@@ -61,9 +60,9 @@ def ball_bounces(params: str, along: float = 0.0) -> Sketch:
     )
 
 
-def bullet(surfaces: str, kind: str, params: str, limit: float = 0.15) -> Sketch:
+def bullet(surfaces: str, kind: str, params: str) -> Sketch:
     """A rigid plate of shells is driven into a block whose elements erode by their stress."""
-    stress = f'<criterion type="min-max filter"><min>{limit:g}</min><clamp>0</clamp><data type="stress"/></criterion>'
+    stress = '<criterion type="min-max filter"><min>0.15</min><clamp>0</clamp><data type="stress"/></criterion>'
     inner = f"<max_iters>1</max_iters><max_elems>3</max_elems><erode_surfaces>{surfaces}</erode_surfaces>{stress}"
     flat = box((-0.35, -0.35, 0.01), (0.35, 0.35, 0.01))
     head = shell((3, 3), lambda u: flat(u) * (-1.0, 1.0, 1.0), 0.1)

@@ -25,10 +25,10 @@ from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, T
 from studies.synthetic_scenes.reported.words import auglag, auto, hold, neo, ogden, press, radius, rigid, shift
 
 
-def _several(*parts: tuple[tuple[int, int, int], tuple[float, ...], tuple[float, ...]], element: str = "hex8") -> Shape:
+def _several(*parts: tuple[tuple[int, int, int], tuple[float, ...], tuple[float, ...]]) -> Shape:
     """Boxes that share faces of the same mesh, as one body: cells, lowest and highest corner of each."""
     cells, lows, highs = zip(*parts, strict=True)
-    return joined([grid(each) for each in cells], [box(a, b) for a, b in zip(lows, highs, strict=True)], element)
+    return joined([grid(each) for each in cells], [box(a, b) for a, b in zip(lows, highs, strict=True)], "hex8")
 
 
 def _base(shape: Shape, axis: int, value: float) -> Shape:
@@ -193,7 +193,7 @@ def fold(side: tuple[str, str], params: str, element: str = "hex8", updates: int
     )
 
 
-def wave(params: str, updates: int = 0) -> Sketch:
+def wave(params: str) -> Sketch:
     """A wavy sheet is pushed together until its turns touch."""
     return Sketch(
         {"sheet": mapped((36, 2, 1), sheet(_s, 0.5, 0.2))},
@@ -205,11 +205,11 @@ def wave(params: str, updates: int = 0) -> Sketch:
             *(fixed(f"sheet-{side}", "y") for side in ("y0", "y1")),
             moved("sheet-x1", "z", -1.6),
         ),
-        Scheme(20, 0.05, updates=updates),
+        Scheme(20, 0.05),
     )
 
 
-def ring_between_plates(params: str, inner: bool, updates: int = 0) -> Sketch:
+def ring_between_plates(params: str, inner: bool) -> Sketch:
     """A ring is squashed between rigid plates until its inside touches itself; half of it, plane strain."""
     ring = mapped((2, 20, 1), turned(arc(0.75, 1.0, 0.3, (-90.0, 90.0)), "x", 90.0))
     touching = (Touch("ring-x0", "ring-x0", params=params),) if inner else ()
@@ -232,7 +232,7 @@ def ring_between_plates(params: str, inner: bool, updates: int = 0) -> Sketch:
             shift("low", "z", 0.65 if inner else 0.4),
             shift("high", "z", -0.65 if inner else -0.4),
         ),
-        Scheme(20, 0.05, updates=updates),
+        Scheme(20, 0.05),
     )
 
 

@@ -43,7 +43,6 @@ class Blocks:
     element: str = "hex8"
     depth: float = 0.1
     way: float = 0.0
-    curved: float = 0.1
     solute: bool = False
     curve: int = 1
     load: float = 0.0
@@ -56,7 +55,7 @@ class Blocks:
 
         def above(u: np.ndarray) -> np.ndarray:
             points = box((-0.8, -0.4, -0.005 if self.load else 0.01), (0.8, 0.4, 0.8))(u)
-            bulge = self.curved * points[:, 0] ** 2 * (1.0 - u[:, 2])
+            bulge = 0.1 * points[:, 0] ** 2 * (1.0 - u[:, 2])
             return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), bulge]))
 
         make = with_solute if self.solute else biphasic
@@ -93,7 +92,7 @@ class Blocks:
         )
 
 
-def punch(params: str, scheme: Scheme, *, face: str = "x1", force: float = 0.1, first: str = "layer") -> Sketch:
+def punch(params: str, scheme: Scheme, *, face: str = "x1", first: str = "layer") -> Sketch:
     """A rigid cylinder under a force, all of it applied within a tenth of a second, creeps into a porous layer."""
     disc = shifted(turned(arc(0.8, 1.5, 1.2, (230.0, 310.0)), "x", 90.0), (0.0, 0.0, 1.49))
     sides = ("layer-z1", f"punch-{face}") if first == "layer" else (f"punch-{face}", "layer-z1")
@@ -108,7 +107,7 @@ def punch(params: str, scheme: Scheme, *, face: str = "x1", force: float = 0.1, 
             fixed("layer-z0", "x", "y", "z"),
             *(fixed(f"layer-{side}", "y") for side in ("y0", "y1")),
             hold("punch", "xyuvw"),
-            push("punch", "z", -force, 4),
+            push("punch", "z", -0.1, 4),
         ),
         scheme,
         module="biphasic",

@@ -44,13 +44,13 @@ VISCOUS = (
 )
 
 
-def dome(size: float = 0.6, height: float = 0.8, gap: float = 0.01, bulge: float = 0.3) -> Place:
+def dome(gap: float = 0.01) -> Place:
     """A block whose lower face bulges downwards."""
-    flat = box((-size, -size, gap), (size, size, gap + height))
+    flat = box((-0.6, -0.6, gap), (0.6, 0.6, gap + 0.8))
 
     def place(u: np.ndarray) -> np.ndarray:
         points = flat(u)
-        up = bulge * (points[:, 0] ** 2 + points[:, 1] ** 2) * (1.0 - u[:, 2])
+        up = 0.3 * (points[:, 0] ** 2 + points[:, 1] ** 2) * (1.0 - u[:, 2])
         return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), up]))
 
     return place
@@ -124,7 +124,7 @@ def stack(params: str, materials: Sequence[Material], side: str, element: str = 
     )
 
 
-def two_on_one(params: str, way: float = 0.2) -> Sketch:
+def two_on_one(params: str) -> Sketch:
     """Two rigid spheres are pressed into one slab next to each other; one slides to the other."""
     places = {name: shifted(ball(0.5), (x, 0, 0.48)) for name, x in (("left", -0.6), ("right", 0.6))}
     return Sketch(
@@ -140,13 +140,13 @@ def two_on_one(params: str, way: float = 0.2) -> Sketch:
             hold("right", "xyuvw"),
             shift("left", "z", -0.15),
             shift("right", "z", -0.15),
-            shift("left", "x", way, 2),
+            shift("left", "x", 0.2, 2),
         ),
         Scheme(20),
     )
 
 
-def beam(params: str, rest: str, element: str = "hex8", load: float = 0.02) -> Sketch:
+def beam(params: str, rest: str, element: str = "hex8") -> Sketch:
     """A cantilever bends by a pressure, until it rests on a body below it: a force alone closes the gap."""
     cells = (10, 1, 1) if element in ("hex20", "tet10", "hex27") else (20, 3, 3)
     low = shifted(turned(arc(0.2, 0.5, 1.0), "x", 90.0), (2.5, 0, -0.7))
@@ -158,14 +158,14 @@ def beam(params: str, rest: str, element: str = "hex8", load: float = 0.02) -> S
         bodies,
         {"beam": neo(10.0), "rest": rigid((2.5, 0, -0.7)) if is_rigid else neo(1.0)},
         (Touch("beam-z0", "rest-x1", params=params),),
-        (fixed("beam-x0", "x", "y", "z"), held, press("beam-z1", load)),
+        (fixed("beam-x0", "x", "y", "z"), held, press("beam-z1", 0.02)),
     )
 
 
-def blown(params: str, rest: Material, thickness: float = 0.05, load: float = 0.1) -> Sketch:
+def blown(params: str, rest: Material) -> Sketch:
     """A membrane of shells is blown by a pressure onto a block above it."""
     flat = box((-1, -1, 0), (1, 1, 0))
-    sheet = shell((10, 10), flat, thickness)
+    sheet = shell((10, 10), flat, 0.05)
     above = mapped((6, 6, 2), box((-1.2, -1.2, 0.15), (1.2, 1.2, 0.75)))
     held = hold("rest") if rest[0] == "rigid body" else fixed("rest-z1", "x", "y", "z")
     edges = [fixed(f"skin-{side}", "x", "y", "z") for side in ("x0", "x1", "y0", "y1")]
@@ -173,7 +173,7 @@ def blown(params: str, rest: Material, thickness: float = 0.05, load: float = 0.
         {"skin": sheet, "rest": above},
         {"skin": neo(5.0), "rest": rest},
         (Touch("skin-face", "rest-z0", params=params),),
-        (*edges, held, press("skin-back", load)),
+        (*edges, held, press("skin-back", 0.1)),
     )
 
 
@@ -210,7 +210,7 @@ def plug(params: str, force: float = 0.0, material: Material | None = None) -> S
     )
 
 
-def arch(params: str, depth: float = 0.6) -> Sketch:
+def arch(params: str) -> Sketch:
     """A rigid ball presses a shallow arch until it has snapped through."""
     bow = turned(arc(2.9, 3.0, 0.6, (60.0, 120.0)), "x", 90.0)
     return Sketch(
@@ -224,13 +224,13 @@ def arch(params: str, depth: float = 0.6) -> Sketch:
             fixed("arch-y0", "x", "y", "z"),
             fixed("arch-y1", "x", "y", "z"),
             hold("ball", "xyuvw"),
-            shift("ball", "z", -depth),
+            shift("ball", "z", -0.6),
         ),
         Scheme(20, 0.05),
     )
 
 
-def crushed(params: str, element: str = "hex8", depth: float = 0.3) -> Sketch:
+def crushed(params: str, element: str = "hex8") -> Sketch:
     """Half a soft tube that stands on its symmetry plane is crushed by a rigid roller."""
     half = turned(arc(0.8, 1.0, 2.0, (0.0, 180.0)), "x", 90.0)
     cells = (1, 8, 2) if element in ("hex20", "tet10", "hex27") else (2, 16, 3)
@@ -244,7 +244,7 @@ def crushed(params: str, element: str = "hex8", depth: float = 0.3) -> Sketch:
             fixed("tube-y1", "z"),
             fixed("tube-z0", "y"),
             hold("roll", "xyuvw"),
-            shift("roll", "z", -depth),
+            shift("roll", "z", -0.3),
         ),
     )
 

@@ -55,13 +55,12 @@ class Cam:
     soft: bool = False
     params: str = ""
     steps: int = 50
-    turns: float = 1.0
 
     def __call__(self) -> Sketch:
         """The model."""
         top = 1.0
         follower = mapped((8, 2, 2), box((-1.2, -0.4, top - 0.01), (1.8, 0.4, top + 0.4)))
-        rigid_parts = [hold("cam", "xyzuw"), spin("cam", "Rv", self.turns * TURN, 1)]
+        rigid_parts = [hold("cam", "xyzuw"), spin("cam", "Rv", TURN, 1)]
         if not self.soft:
             rigid_parts += [hold("follower", "xyuvw"), push("follower", "z", -0.1, 4)]
         return Sketch(
