@@ -58,8 +58,7 @@ def _write_docs(folder: Path) -> None:
     """The page of the documentation, with what the sweep left in `folder`."""
     shutil.copy(folder / DATA.name, DATA)
     pareto.draw(files.read_csv(DATA, Datum), DOCS / page.PICTURE)
-    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
-    console.print(f"Written: {DATA}, {DOCS / page.PICTURE}, {DOCS / page.PAGE.name}")
+    console.print(f"Written: {DATA}, {DOCS / page.PICTURE}, {page.PAGE.write()}")
 
 
 def _sweep(chosen: list[Problem], folder: Path, jobs: int, options: Sequence[str]) -> bool:

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeVar
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
-from studies import tables
+from studies import files, tables
 from studies.cost.point_runs import Datum
 from studies.cost.points import Parameter, Problem
 
+Point = TypeVar("Point")
 LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic-solute": "#2f5d9e", "sliding-multiphasic": "#2a8f7c"}
 """Colours of the interfaces."""
 SMALLEST = 1e-12
@@ -42,13 +43,18 @@ def comparable(data: Sequence[Datum], problem: Problem, *, ended: bool = True) -
     return [d for d in data if d.problem == problem.value and d.ended == ended and d.parameter in parameters]
 
 
+def front(data: Sequence[Point], place: Callable[[Point], tuple[float, float]]) -> list[Point]:
+    """Data than which no other one is both cheaper and more accurate, from the cheapest on; `place`: cost and error."""
+    found: list[Point] = []
+    for datum in sorted(data, key=place):
+        if not found or place(datum)[1] < place(found[-1])[1]:
+            found.append(datum)
+    return found
+
+
 def pareto(data: Sequence[Datum]) -> list[Datum]:
-    """Data than which no other one is both cheaper and more accurate, from the cheapest on."""
-    front: list[Datum] = []
-    for datum in sorted(data, key=lambda d: (cost_of(d), error_of(d))):
-        if not front or error_of(datum) < error_of(front[-1]):
-            front.append(datum)
-    return front
+    """The front of the sweep."""
+    return front(data, lambda datum: (cost_of(datum), error_of(datum)))
 
 
 def cheapest(data: Sequence[Datum], error: float) -> Datum | None:
@@ -59,7 +65,6 @@ def cheapest(data: Sequence[Datum], error: float) -> Datum | None:
 
 def draw(data: Sequence[Datum], path: Path) -> Path:
     """Error against time: a panel for each problem that has data, a line for each interface, one below the other."""
-    mpl.use("Agg")
     problems = [problem for problem in Problem if any(d.problem == problem.value for d in data)]
     figure = Figure(figsize=(5.4, 0.5 + 2.9 * len(problems)), layout="constrained", facecolor="white")
     for axes, problem in zip(np.atleast_1d(figure.subplots(len(problems), 1)), problems, strict=True):
@@ -72,8 +77,7 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
         axes.set_title(f"problem {problem.value}", fontsize=11, loc="left")
     handles = [Line2D([], [], color=colour, marker="o", markersize=4, label=name) for name, colour in LOOKS.items()]
     figure.legend(handles=handles, fontsize=9, ncols=3, loc="outside upper center", frameon=False, columnspacing=1.0)
-    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
-    return path
+    return files.save_figure(figure, path)
 
 
 def _panel(axes: Axes, data: Sequence[Datum]) -> None:
@@ -87,9 +91,9 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     for name, colour in LOOKS.items():
         own = [d for d in data if d.interface == name]
         axes.plot(list(map(cost_of, own)), list(map(_shown, own)), "o", color=colour, markersize=3.5, alpha=0.35, mew=0)
-        front = pareto([d for d in own if d.parameter != Parameter.PREDICTOR.value])
+        best = pareto([d for d in own if d.parameter != Parameter.PREDICTOR.value])
         line = {"color": colour, "marker": "o", "markersize": 4.5, "linewidth": 1.8}
-        axes.step(list(map(cost_of, front)), list(map(_shown, front)), where="post", **line)
+        axes.step(list(map(cost_of, best)), list(map(_shown, best)), where="post", **line)
 
 
 def _ticks(axes: Axes) -> None:

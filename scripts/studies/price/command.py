@@ -86,8 +86,7 @@ def _write_docs(folder: Path) -> None:
         if (folder / name).is_file():
             shutil.copy(folder / name, DATA / name)
     page.draw(files.read_csv(DATA / page.EFFECTS, EffectCost), DOCS / page.PICTURE)
-    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
-    console.print(f"Written: {DOCS / page.PAGE.name}, {DOCS / page.PICTURE}")
+    console.print(f"Written: {page.PAGE.write()}, {DOCS / page.PICTURE}")
 
 
 def _solutes(kind: Kind) -> int:

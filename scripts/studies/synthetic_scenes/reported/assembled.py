@@ -37,7 +37,6 @@ from studies.synthetic_scenes.reported.words import (
 
 NEAR = radius(0.5)
 TENSION = "<tension>1</tension>"
-FIXED_SIDES = ("x", "y", "z")
 _CONTROL = re.compile(r"<Control>.*?</Control>", re.DOTALL)
 _CONTACT = re.compile(r"<Contact>.*?</Contact>", re.DOTALL)
 
@@ -104,7 +103,7 @@ def hinged(params: str, mu: float = 0.0) -> Sketch:
         {"block": neo(), "lever": rigid((0, 0, 0.5)), "post": rigid((-1.6, 0, 0.3))},
         (Touch("block-z1", "lever-x1", params=params + (friction(mu) if mu else "")),),
         (
-            fixed("block-z0", *FIXED_SIDES),
+            fixed("block-z0"),
             hold("post"),
             push("lever", "z", -0.1),
             f'<rigid_connector type="rigid revolute joint" name="hinge">{inner}</rigid_connector>',
@@ -130,13 +129,7 @@ def sprung(params: str, first: str = "ball") -> Sketch:
         },
         {"slab": neo(), "ball": rigid((0, 0, 0.8)), "hand": rigid((0, 0, 1.7))},
         (Touch(*sides, params=params),),
-        (
-            fixed("slab-z0", *FIXED_SIDES),
-            hold("hand", "xyuvw"),
-            hold("ball", "xyuvw"),
-            shift("hand", "z", -0.4),
-            *springs,
-        ),
+        (fixed("slab-z0"), hold("hand", "xyuvw"), hold("ball", "xyuvw"), shift("hand", "z", -0.4), *springs),
     )
 
 
@@ -149,12 +142,7 @@ def rolls(params: str) -> Sketch:
         },
         {"slab": neo(2.0), "roller": rigid((0, 0, 0.79))},
         (Touch("slab-z1", "roller-x1", params=params),),
-        (
-            fixed("slab-z0", *FIXED_SIDES),
-            hold("roller", "yuw"),
-            push("roller", "z", -0.05, 4),
-            spin("roller", "Rv", 1.5, 2),
-        ),
+        (fixed("slab-z0"), hold("roller", "yuw"), push("roller", "z", -0.05, 4), spin("roller", "Rv", 1.5, 2)),
         Scheme(40, 0.05),
     )
 
@@ -186,7 +174,7 @@ class Hertz:
             },
             {"block": neo(), "ball": material},
             (Touch("ball-z0", "block-z1", params=self.params),),
-            (fixed("block-z0", *FIXED_SIDES), fixed("ball-z1", "x", "y"), moved("ball-z1", "z", -self.depth)),
+            (fixed("block-z0"), fixed("ball-z1", "x", "y"), moved("ball-z1", "z", -self.depth)),
             self.scheme,
         )
 
@@ -202,12 +190,9 @@ def skin_on_foam(params: str, element: str = "quad4") -> Sketch:
             "ball": mapped((4, 4, 4), shifted(ball(0.6), (0, 0, 0.6))),
         },
         {"foam": neo(0.5), "skin": neo(20.0), "ball": rigid((0, 0, 0.6))},
+        (Touch("skin-back", "foam-z1", params=params), Touch("skin-face", "ball-outside", params=params)),
         (
-            Touch("skin-back", "foam-z1", params=params),
-            Touch("skin-face", "ball-outside", params=params),
-        ),
-        (
-            fixed("foam-z0", *FIXED_SIDES),
+            fixed("foam-z0"),
             fixed("skin-x0", "y"),
             fixed("skin-y0", "x"),
             hold("ball", "xyuvw"),
@@ -225,12 +210,7 @@ def peeled(params: str, kind: str = "sliding-elastic") -> Sketch:
         },
         {"block": neo(2.0), "strip": neo(1.0)},
         (Touch("strip-z0", "block-z1", kind, params),),
-        (
-            fixed("block-z0", *FIXED_SIDES),
-            fixed("strip-x0", "x", "y"),
-            fixed("strip-x1", "y"),
-            moved("strip-x1", "z", 0.15),
-        ),
+        (fixed("block-z0"), fixed("strip-x0", "x", "y"), fixed("strip-x1", "y"), moved("strip-x1", "z", 0.15)),
     )
 
 
@@ -244,7 +224,7 @@ def dropped(params: str, friction_: float = 0.0) -> Sketch:
         },
         {"slab": neo(2.0, 0.3, 1e-6), "ball": heavy},
         (Touch("ball-outside", "slab-z1", params=params + (friction(friction_) if friction_ else "")),),
-        (fixed("slab-z0", *FIXED_SIDES), thrown("ball", (100.0 if friction_ else 0.0, 0.0, -150.0))),
+        (fixed("slab-z0"), thrown("ball", (100.0 if friction_ else 0.0, 0.0, -150.0))),
         Scheme(40, 1e-4, "DYNAMIC"),
     )
 
@@ -257,12 +237,9 @@ def capped(params: str, force: float = 0.02) -> Sketch:
         r2 = points[:, 0] ** 2 + points[:, 1] ** 2
         return np.asarray(np.column_stack([points[:, :2], 0.25 * (1.0 - 0.5 * r2)]))
 
-    edges = [fixed(f"cap-{side}", *FIXED_SIDES) for side in ("x0", "x1", "y0", "y1")]
+    edges = [fixed(f"cap-{side}") for side in ("x0", "x1", "y0", "y1")]
     return Sketch(
-        {
-            "cap": shell((12, 12), cap, 0.04),
-            "ball": mapped((5, 5, 5), shifted(ball(0.5), (0, 0, 0.77))),
-        },
+        {"cap": shell((12, 12), cap, 0.04), "ball": mapped((5, 5, 5), shifted(ball(0.5), (0, 0, 0.77)))},
         {"cap": neo(10.0), "ball": rigid((0, 0, 0.77))},
         (Touch("cap-face", "ball-outside", params=params),),
         (*edges, hold("ball", "xyuvw"), shift("ball", "z", -0.5) if not force else push("ball", "z", -force)),
@@ -282,13 +259,7 @@ def flat_pair(params: str, kind: str, module: str = "solid") -> Sketch:
         },
         {"low": low, "high": high},
         (Touch("high-z0", "low-z1", kind, params),),
-        (
-            fixed("low-z0", *FIXED_SIDES),
-            fixed("high-z1", "y"),
-            moved("high-z1", "z", -0.1),
-            moved("high-z1", "x", 0.4, 2),
-            *ends,
-        ),
+        (fixed("low-z0"), fixed("high-z1", "y"), moved("high-z1", "z", -0.1), moved("high-z1", "x", 0.4, 2), *ends),
         module=module,
     )
 
@@ -308,7 +279,7 @@ def meniscus(params: str, force: float = 0.3) -> Sketch:
             Touch("ring-z0", "layer-z1", "sliding-biphasic", params),
             Touch("layer-z1", "ball-z0", "sliding-biphasic", params),
         ),
-        (fixed("layer-z0", *FIXED_SIDES), fixed("ring-x1", "x", "y"), hold("ball", "xyuvw"), push("ball", "z", -force)),
+        (fixed("layer-z0"), fixed("ring-x1", "x", "y"), hold("ball", "xyuvw"), push("ball", "z", -force)),
         module="biphasic",
     )
 

@@ -74,7 +74,7 @@ class Layers:
             {"slab": biphasic(soft, 0.1, low), "dome": biphasic(stiff, 0.1, high)},
             (Touch("dome-z0", "slab-z1", "sliding-biphasic", self.params),),
             (
-                fixed("slab-z0", "x", "y", "z"),
+                fixed("slab-z0"),
                 fixed("dome-z1", "y"),
                 across,
                 *drive,
@@ -114,20 +114,10 @@ def salty(params: str, charges: tuple[float, float], way: float = 0.0, scheme: S
     )
     across = moved("dome-z1", "x", way, 2) if way else fixed("dome-z1", "x")
     return Sketch(
-        {
-            "slab": mapped((6, 6, 3), box((-1, -1, -0.8), (1, 1, 0))),
-            "dome": mapped((4, 4, 3), dome()),
-        },
+        {"slab": mapped((6, 6, 3), box((-1, -1, -0.8), (1, 1, 0))), "dome": mapped((4, 4, 3), dome())},
         {"slab": charged(1.0, charges[0]), "dome": charged(2.0, charges[1])},
         (Touch("dome-z0", "slab-z1", "sliding-multiphasic", params + ambient),),
-        (
-            fixed("slab-z0", "x", "y", "z"),
-            fixed("dome-z1", "y"),
-            across,
-            moved("dome-z1", "z", -0.1),
-            *held,
-            *tuple(start),
-        ),
+        (fixed("slab-z0"), fixed("dome-z1", "y"), across, moved("dome-z1", "z", -0.1), *held, *tuple(start)),
         scheme,
         module="multiphasic",
         globals=f"<Solutes>{IONS}</Solutes>",

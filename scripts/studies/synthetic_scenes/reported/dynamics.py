@@ -36,7 +36,7 @@ def impact(
 ) -> Sketch:
     """A block is thrown onto another one, or onto a rigid wall."""
     slab = mapped((1, 1, 1) if wall else (6, 6, 3), box((-1, -1, -1), (1, 1, 0)))
-    held = hold("slab") if wall else fixed("slab-z0", "x", "y", "z")
+    held = hold("slab") if wall else fixed("slab-z0")
     return Sketch(
         {"slab": slab, "block": mapped((5, 5, 5), box((-0.7, -0.7, 0.02), (0.7, 0.7, 1.2)))},
         {"slab": rigid((0, 0, -0.5)) if wall else neo(2.0), "block": neo(1.0)},
@@ -55,7 +55,7 @@ def ball_bounces(params: str, along: float = 0.0) -> Sketch:
         },
         {"slab": neo(5.0), "ball": mooney(0.3, 0.0, 10.0)},
         (Touch("ball-outside", "slab-z1", params=params),),
-        (fixed("slab-z0", "x", "y", "z"), thrown("ball", (along, 0.0, -4000.0))),
+        (fixed("slab-z0"), thrown("ball", (along, 0.0, -4000.0))),
         Scheme(60, 3e-6, "DYNAMIC"),
     )
 
@@ -71,7 +71,7 @@ def bullet(surfaces: str, kind: str, params: str) -> Sketch:
         {"bullet": rigid((0, 0, 0.01)), "block": neo(1.0)},
         (Touch("block-z1", "bullet-face", kind, params),),
         (
-            fixed("block-z0", "x", "y", "z"),
+            fixed("block-z0"),
             hold("bullet", "xyuvw"),
             shift("bullet", "z", -0.5),
             f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>',
@@ -91,7 +91,7 @@ def wears(criterion: str, surfaces: str) -> Sketch:
         {"slab": neo(1.0), "block": neo(2.0)},
         (Touch("block-z0", "slab-z1", params=auto(1.0, radius(0.5))),),
         (
-            fixed("slab-z0", "x", "y", "z"),
+            fixed("slab-z0"),
             fixed("block-z1", "y"),
             moved("block-z1", "z", -0.06),
             moved("block-z1", "x", 0.3, 2),

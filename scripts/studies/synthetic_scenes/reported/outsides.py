@@ -49,7 +49,7 @@ def boxes(updates: int = 0, params: str = "", element: str = "hex8", lean: float
         {"low": low, "high": high},
         {"low": neo(1.0), "high": neo(2.0)},
         (Touch("high-outside", "low-outside", params=params or auto(5.0)),),
-        (fixed("low-z0", "x", "y", "z"), fixed("high-z1", "x", "y"), moved("high-z1", "z", -0.2)),
+        (fixed("low-z0"), fixed("high-z1", "x", "y"), moved("high-z1", "z", -0.2)),
         Scheme(updates=updates),
     )
 
@@ -63,7 +63,7 @@ def plate_on_slab(further: str = "") -> Sketch:
         },
         {"slab": neo(1.0), "plate": neo(5.0)},
         (Touch("plate-outside", "slab-outside", params=auto(1.0, further)),),
-        (fixed("slab-z0", "x", "y", "z"), fixed("plate-x0", "x"), fixed("plate-y0", "y"), press("plate-z1", 0.02)),
+        (fixed("slab-z0"), fixed("plate-x0", "x"), fixed("plate-y0", "y"), press("plate-z1", 0.02)),
     )
 
 
@@ -86,7 +86,7 @@ def corner(sides: bool, params: str) -> Sketch:
         {"angle": neo(1.0), "block": neo(1.0)},
         (Touch(f"block-{pair[0]}", f"angle-{pair[1]}", params=params),),
         (
-            fixed("angle-held", "x", "y", "z"),
+            fixed("angle-held"),
             fixed("block-driven", "y"),
             moved("block-driven", "x", -0.15),
             moved("block-driven", "z", -0.15),
@@ -109,7 +109,7 @@ def clip(params: str) -> Sketch:
         {"fork": fork, "plate": plate},
         {"fork": neo(2.0), "plate": neo(2.0)},
         (Touch("plate-outside", "fork-outside", params=params),),
-        (fixed("fork-base", "x", "y", "z"), fixed("plate-x1", "x", "y"), moved("plate-x1", "z", 0.3)),
+        (fixed("fork-base"), fixed("plate-x1", "x", "y"), moved("plate-x1", "z", 0.3)),
     )
 
 
@@ -133,12 +133,9 @@ def wedge_between(params: str) -> Sketch:
             "block": mapped((7, 3, 3), over),
         },
         {"slab": neo(1.0), "wedge": neo(3.0, 0.1), "block": neo(1.0)},
+        (Touch("wedge-outside", "slab-outside", params=params), Touch("wedge-outside", "block-outside", params=params)),
         (
-            Touch("wedge-outside", "slab-outside", params=params),
-            Touch("wedge-outside", "block-outside", params=params),
-        ),
-        (
-            fixed("slab-z0", "x", "y", "z"),
+            fixed("slab-z0"),
             fixed("block-z1", "x", "y"),
             moved("block-z1", "z", -0.15),
             fixed("wedge-x1", "x", "y"),
@@ -158,7 +155,7 @@ def edge_down(sides: tuple[str, str], degrees: float, params: str) -> Sketch:
         },
         {"slab": neo(1.0), "box": rigid((0, 0, 0.01 + rise))},
         (Touch(f"slab-{sides[0]}", f"box-{sides[1]}", params=params),),
-        (fixed("slab-z0", "x", "y", "z"), hold("box", "xyuvw"), shift("box", "z", -0.25)),
+        (fixed("slab-z0"), hold("box", "xyuvw"), shift("box", "z", -0.25)),
     )
 
 
@@ -188,7 +185,7 @@ def fold(side: tuple[str, str], params: str, element: str = "hex8", updates: int
         {"sheet": mapped((28, 3, 1 if element == "hex20" else 2), sheet(_u, 0.6, 0.25), element)},
         {"sheet": neo(1.0)},
         (Touch(f"sheet-{side[0]}", f"sheet-{side[1]}", params=params),),
-        (fixed("sheet-x0", "x", "y", "z"), fixed("sheet-x1", "x", "y"), moved("sheet-x1", "z", -depth)),
+        (fixed("sheet-x0"), fixed("sheet-x1", "x", "y"), moved("sheet-x1", "z", -depth)),
         Scheme(updates=updates),
     )
 
@@ -200,7 +197,7 @@ def wave(params: str) -> Sketch:
         {"sheet": neo(1.0, 0.2)},
         (Touch("sheet-outside", "sheet-outside", params=params),),
         (
-            fixed("sheet-x0", "x", "y", "z"),
+            fixed("sheet-x0"),
             fixed("sheet-x1", "x", "y"),
             *(fixed(f"sheet-{side}", "y") for side in ("y0", "y1")),
             moved("sheet-x1", "z", -1.6),
@@ -220,11 +217,7 @@ def ring_between_plates(params: str, inner: bool) -> Sketch:
             "high": mapped((1, 1, 1), box((-0.2, -0.3, 1.01), (2.2, 0.3, 1.3))),
         },
         {"ring": ogden(0.3, 2.0, 20.0), "low": rigid((1, 0, -1.15)), "high": rigid((1, 0, 1.15))},
-        (
-            Touch("ring-x1", "low-z1", params=params),
-            Touch("ring-x1", "high-z0", params=params),
-            *touching,
-        ),
+        (Touch("ring-x1", "low-z1", params=params), Touch("ring-x1", "high-z0", params=params), *touching),
         (
             *(fixed(f"ring-{side}", "x") for side in ("y0", "y1")),
             *(fixed(f"ring-{side}", "y") for side in ("z0", "z1")),

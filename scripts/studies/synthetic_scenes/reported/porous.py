@@ -6,10 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 
-import numpy as np
-
 from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import arc, box, mapped, shifted, turned
+from studies.synthetic_scenes.reported.shapes import arc, box, bulged, mapped, shifted, turned
 from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     SOLUTE,
@@ -53,10 +51,7 @@ class Blocks:
         quadratic = self.element in ("hex20", "hex27", "tet10", "tet15")
         low, high = ((5, 3, 2), (4, 2, 2)) if quadratic else ((8, 4, 3), (6, 3, 3))
 
-        def above(u: np.ndarray) -> np.ndarray:
-            points = box((-0.8, -0.4, -0.005 if self.load else 0.01), (0.8, 0.4, 0.8))(u)
-            bulge = 0.1 * points[:, 0] ** 2 * (1.0 - u[:, 2])
-            return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), bulge]))
+        above = bulged(box((-0.8, -0.4, -0.005 if self.load else 0.01), (0.8, 0.4, 0.8)), lambda x: 0.1 * x[:, 0] ** 2)
 
         make = with_solute if self.solute else biphasic
         ends = ("low-z0", "high-z1")
@@ -73,13 +68,10 @@ class Blocks:
                 "low": mapped(low, box((-1.2, -0.6, -0.8), (1.4, 0.6, 0.0)), self.element),
                 "high": mapped(high, above, self.element),
             },
-            {
-                "low": make(1.0, 0.1, self.permeability),
-                "high": make(2.0, 0.1, self.permeability),
-            },
+            {"low": make(1.0, 0.1, self.permeability), "high": make(2.0, 0.1, self.permeability)},
             (Touch("high-z0", "low-z1", SALTY if self.solute else WET, self.params),),
             (
-                fixed("low-z0", "x", "y", "z"),
+                fixed("low-z0"),
                 *drive,
                 *(drained(end) for end in ends),
                 *held,
@@ -97,14 +89,11 @@ def punch(params: str, scheme: Scheme, *, face: str = "x1", first: str = "layer"
     disc = shifted(turned(arc(0.8, 1.5, 1.2, (230.0, 310.0)), "x", 90.0), (0.0, 0.0, 1.49))
     sides = ("layer-z1", f"punch-{face}") if first == "layer" else (f"punch-{face}", "layer-z1")
     return Sketch(
-        {
-            "punch": mapped((1, 16, 2), disc),
-            "layer": mapped((14, 3, 3), box((-1.5, -0.5, -0.6), (1.5, 0.5, 0.0))),
-        },
+        {"punch": mapped((1, 16, 2), disc), "layer": mapped((14, 3, 3), box((-1.5, -0.5, -0.6), (1.5, 0.5, 0.0)))},
         {"punch": rigid((0, 0, 0.5)), "layer": biphasic(1.0, 0.0, 1e-3)},
         (Touch(*sides, WET, params),),
         (
-            fixed("layer-z0", "x", "y", "z"),
+            fixed("layer-z0"),
             *(fixed(f"layer-{side}", "y") for side in ("y0", "y1")),
             hold("punch", "xyuvw"),
             push("punch", "z", -0.1, 4),

@@ -7,10 +7,19 @@ from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise
 
-import numpy as np
-
 from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.shapes import (
+    Place,
+    arc,
+    ball,
+    box,
+    bulged,
+    mapped,
+    scaled,
+    shell,
+    shifted,
+    turned,
+)
 from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
@@ -47,18 +56,7 @@ VISCOUS = (
 def dome(gap: float = 0.01) -> Place:
     """A block whose lower face bulges downwards."""
     flat = box((-0.6, -0.6, gap), (0.6, 0.6, gap + 0.8))
-
-    def place(u: np.ndarray) -> np.ndarray:
-        points = flat(u)
-        up = 0.3 * (points[:, 0] ** 2 + points[:, 1] ** 2) * (1.0 - u[:, 2])
-        return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), up]))
-
-    return place
-
-
-def scaled(place: Place, unit: float) -> Place:
-    """The same in a longer unit of length, mm."""
-    return lambda u: np.asarray(place(u) * unit)
+    return bulged(flat, lambda x: 0.3 * (x[:, 0] ** 2 + x[:, 1] ** 2))
 
 
 @dataclass(frozen=True)
@@ -93,7 +91,7 @@ class Dome:
             {"slab": self.low, "dome": self.high},
             (Touch(*sides, params=self.params),),
             (
-                fixed("slab-z0", "x", "y", "z"),
+                fixed("slab-z0"),
                 *across,
                 *drive,
                 *((press("dome-z1", self.load, 4 if self.held else 1),) if self.load else ()),
@@ -116,7 +114,7 @@ def stack(params: str, materials: Sequence[Material], side: str, element: str = 
         dict(zip(names, materials, strict=True)),
         tuple(pairs),
         (
-            fixed("one-z0", "x", "y", "z"),
+            fixed("one-z0"),
             fixed("four-z1", "x", "y"),
             *(fixed(f"{name}-x0", "x", "y") for name in names[1:3]),
             *(moved("four-z1", "z", -0.15),),
@@ -135,7 +133,7 @@ def two_on_one(params: str) -> Sketch:
         {"slab": neo(), "left": rigid((-0.6, 0, 0.5)), "right": rigid((0.6, 0, 0.5))},
         tuple(Touch("slab-z1", f"{name}-outside", params=params) for name in ("left", "right")),
         (
-            fixed("slab-z0", "x", "y", "z"),
+            fixed("slab-z0"),
             hold("left", "yuvw"),
             hold("right", "xyuvw"),
             shift("left", "z", -0.15),
@@ -153,12 +151,12 @@ def beam(params: str, rest: str, element: str = "hex8") -> Sketch:
     bodies = {"beam": mapped(cells, box((0, -0.4, 0), (3, 0.4, 0.3)), element)}
     is_rigid = rest == "rigid"
     bodies["rest"] = mapped((1, 24, 2), low)
-    held = hold("rest") if is_rigid else fixed("rest-x0", "x", "y", "z")
+    held = hold("rest") if is_rigid else fixed("rest-x0")
     return Sketch(
         bodies,
         {"beam": neo(10.0), "rest": rigid((2.5, 0, -0.7)) if is_rigid else neo(1.0)},
         (Touch("beam-z0", "rest-x1", params=params),),
-        (fixed("beam-x0", "x", "y", "z"), held, press("beam-z1", 0.02)),
+        (fixed("beam-x0"), held, press("beam-z1", 0.02)),
     )
 
 
@@ -167,8 +165,8 @@ def blown(params: str, rest: Material) -> Sketch:
     flat = box((-1, -1, 0), (1, 1, 0))
     sheet = shell((10, 10), flat, 0.05)
     above = mapped((6, 6, 2), box((-1.2, -1.2, 0.15), (1.2, 1.2, 0.75)))
-    held = hold("rest") if rest[0] == "rigid body" else fixed("rest-z1", "x", "y", "z")
-    edges = [fixed(f"skin-{side}", "x", "y", "z") for side in ("x0", "x1", "y0", "y1")]
+    held = hold("rest") if rest[0] == "rigid body" else fixed("rest-z1")
+    edges = [fixed(f"skin-{side}") for side in ("x0", "x1", "y0", "y1")]
     return Sketch(
         {"skin": sheet, "rest": above},
         {"skin": neo(5.0), "rest": rest},
@@ -185,12 +183,7 @@ def twist(params: str, material: Material, angle: float, element: str = "hex8") 
         {"block": mapped(cells, box((-1, -1, -0.8), (1, 1, 0)), element), "disc": mapped((3, 16, 1), disc)},
         {"block": material, "disc": rigid((0, 0, 0.16))},
         (Touch("disc-z0", "block-z1", params=params),),
-        (
-            fixed("block-z0", "x", "y", "z"),
-            hold("disc", "xyuv"),
-            shift("disc", "z", -0.1),
-            spin("disc", "Rw", angle, 2),
-        ),
+        (fixed("block-z0"), hold("disc", "xyuv"), shift("disc", "z", -0.1), spin("disc", "Rw", angle, 2)),
         Scheme(20),
     )
 
@@ -202,11 +195,7 @@ def plug(params: str, force: float = 0.0, material: Material | None = None) -> S
         {"ring": mapped((2, 20, 4), arc(0.8, 1.3, 0.6)), "plug": mapped((1, 24, 5), cone)},
         {"ring": material or mooney(0.3, 0.0, 20.0), "plug": rigid()},
         (Touch("ring-x0", "plug-x1", params=params),),
-        (
-            fixed("ring-x1", "x", "y", "z"),
-            hold("plug", "xyuvw"),
-            push("plug", "z", -force) if force else shift("plug", "z", -0.25),
-        ),
+        (fixed("ring-x1"), hold("plug", "xyuvw"), push("plug", "z", -force) if force else shift("plug", "z", -0.25)),
     )
 
 
@@ -220,12 +209,7 @@ def arch(params: str) -> Sketch:
         },
         {"arch": neo(10.0), "ball": rigid((0, 0, 0.8))},
         (Touch("arch-x1", "ball-outside", params=params),),
-        (
-            fixed("arch-y0", "x", "y", "z"),
-            fixed("arch-y1", "x", "y", "z"),
-            hold("ball", "xyuvw"),
-            shift("ball", "z", -0.6),
-        ),
+        (fixed("arch-y0"), fixed("arch-y1"), hold("ball", "xyuvw"), shift("ball", "z", -0.6)),
         Scheme(20, 0.05),
     )
 

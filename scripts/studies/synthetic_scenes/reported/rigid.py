@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from studies.models.small import fixed
-from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, scaled, shell, shifted, turned
 from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
@@ -36,14 +36,10 @@ from studies.synthetic_scenes.reported.words import (
 TURN = 2.0 * np.pi
 
 
-def _scaled(place: Place, x: float) -> Place:
-    return lambda u: np.asarray(place(u) * (x, 1.0, 1.0))
-
-
 def _cam(eccentric: float, stretch: float) -> Place:
     """A disc along y that turns about the origin."""
     disc = turned(arc(0.3, 1.0, 0.6), "x", 90.0)
-    return shifted(_scaled(disc, stretch), (eccentric, 0.0, 0.0))
+    return shifted(scaled(disc, (stretch, 1.0, 1.0)), (eccentric, 0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -100,11 +96,7 @@ class Punch:
             },
             {"punch": rigid((0, 0, 0.5)), "block": self.material},
             (Touch(*sides, params=self.params),),
-            (
-                fixed("block-z0", "x", "y", "z"),
-                hold("punch", "xyw" if self.free else "xyuvw"),
-                push("punch", "z", -self.force),
-            ),
+            (fixed("block-z0"), hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -self.force)),
             self.scheme,
         )
 
@@ -121,7 +113,7 @@ def wheel(mu: float) -> Sketch:
         {"wheel": rigid((0, 0, 1.01)), "slab": neo()},
         (Touch("slab-z1", "wheel-x1", params=auto(1.0, friction(mu))),),
         (
-            fixed("slab-z0", "x", "y", "z"),
+            fixed("slab-z0"),
             hold("wheel", "yuw"),
             shift("wheel", "z", -0.1),
             shift("wheel", "x", 1.0, 2),
@@ -166,7 +158,7 @@ class BetweenPlates:
                 Touch(f"body-{self.side if self.side == 'outside' else 'z1'}", "high-face", self.kind, self.params),
             ),
             (
-                fixed("body-x0", "x", "y", "z"),
+                fixed("body-x0"),
                 *open_side,
                 hold("low", "xyuvw"),
                 hold("high", "xyuvw"),

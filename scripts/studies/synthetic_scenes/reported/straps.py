@@ -61,7 +61,7 @@ def ball_in_trampoline(primary: str = "net-face", secondary: str = "ball-outside
         {"ball": rigid((0, 0, -0.98)), "net": SKIN},
         (Touch(primary, secondary, params=auto(1.0, radius(0.6))),),
         (
-            *tuple(fixed(f"net-{edge}", "x", "y", "z") for edge in ("x0", "x1", "y0", "y1")),
+            *tuple(fixed(f"net-{edge}") for edge in ("x0", "x1", "y0", "y1")),
             hold("ball", "xyuvw"),
             shift("ball", "z", 0.6),
         ),
@@ -75,11 +75,7 @@ def rod_on_plate() -> Sketch:
         {"rod": mapped((2, 20, 3), shifted(turned(arc(0.2, 0.5, 3.0), "x", 90.0), (0, 0, 0.48))), "plate": plate},
         {"rod": rigid((0, 0, 0.48)), "plate": SKIN},
         (Touch("plate-face", "rod-outside", params=auto(1.0, radius(0.3))),),
-        (
-            *tuple(fixed(f"plate-{edge}", "x", "y", "z") for edge in ("x0", "x1")),
-            hold("rod", "xyuvw"),
-            push("rod", "z", -0.02),
-        ),
+        (*tuple(fixed(f"plate-{edge}") for edge in ("x0", "x1")), hold("rod", "xyuvw"), push("rod", "z", -0.02)),
     )
 
 
@@ -94,7 +90,7 @@ def shells_on_shells() -> Sketch:
         {"lower": SKIN, "upper": SKIN},
         (Touch("upper-face", "lower-face", params=auto(1.0, radius(0.5))),),
         (
-            *(fixed(f"lower-{edge}", "x", "y", "z") for edge in held),
+            *(fixed(f"lower-{edge}") for edge in held),
             *(fixed(f"upper-{edge}", "x", "y") for edge in held),
             *(moved(f"upper-{edge}", "z", -0.1) for edge in held),
             press("upper-back", 0.002),
