@@ -50,7 +50,6 @@ class Cam:
     stretch: float = 1.0
     soft: bool = False
     params: str = ""
-    steps: int = 50
 
     def __call__(self) -> Sketch:
         """The model."""
@@ -68,7 +67,7 @@ class Cam:
                 *rigid_parts,
                 *((press("follower-z1", 0.05, 4),) if self.soft else ()),
             ),
-            Scheme(self.steps, 1.0 / self.steps),
+            Scheme(50, 0.02),
         )
 
 
@@ -84,7 +83,6 @@ class Punch:
     free: bool = False
     scheme: Scheme = USUAL
     primary: bool = True
-    force: float = 0.3
 
     def __call__(self) -> Sketch:
         """The model."""
@@ -96,7 +94,7 @@ class Punch:
             },
             {"punch": rigid((0, 0, 0.5)), "block": self.material},
             (Touch(*sides, params=self.params),),
-            (fixed("block-z0"), hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -self.force)),
+            (fixed("block-z0"), hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -0.3)),
             self.scheme,
         )
 

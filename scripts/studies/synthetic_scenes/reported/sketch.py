@@ -39,8 +39,6 @@ class Scheme:
     symmetric : bool, optional
         FEBio's default in the module `solid`, which other modules do not have; None keeps it.
     reformations : int
-    further : str
-        More of the solver's parameters, as XML.
     """
 
     steps: int = 10
@@ -51,7 +49,6 @@ class Scheme:
     updates: int = 0
     symmetric: bool | None = False
     reformations: int = 25
-    further: str = ""
 
     def text(self, module: str) -> str:
         """<Control>."""
@@ -66,7 +63,7 @@ class Scheme:
             f"<step_size>{self.size:g}</step_size><plot_level>PLOT_NEVER</plot_level>{stepper if self.retries else ''}"
             f'<solver type="{module}">'
             + (f"<symmetric_stiffness>{matrix}</symmetric_stiffness>" if matrix else "")
-            + f"<max_refs>{self.reformations}</max_refs>{self.further}"
+            + f"<max_refs>{self.reformations}</max_refs>"
             f'<qn_method type="{self.method}"><max_ups>{self.updates}</max_ups></qn_method></solver></Control>'
         )
 
