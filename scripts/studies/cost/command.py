@@ -76,8 +76,7 @@ def _sweep(chosen: list[Problem], folder: Path, jobs: int, options: Sequence[str
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=options)
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
     files.write_csv(found, Datum, folder / "cost.csv", stamps.stamp(LIMIT))
-    (folder / "cost.md").write_text(f"{pareto.comparison(found)}\n\n{pareto.table(found)}\n")
-    written = [folder / "cost.csv", folder / "cost.md", pareto.draw(found, folder / "cost.svg")]
+    written = [folder / "cost.csv", pareto.draw(found, folder / "cost.svg")]
     console.print(pareto.comparison(found), markup=False)
     console.print("Written: " + ", ".join(map(str, written)))
     return len(paths) == len(sweeps)

@@ -159,15 +159,3 @@ def _paid(datum: Datum | None) -> str:
         return "not reached"
     what = "default" if datum.parameter == Parameter.DEFAULT.value else f"{datum.parameter} {datum.value:g}"
     return f"{what}: {datum.iterations} it., {cost_of(datum):.3g}"
-
-
-def table(data: Sequence[Datum]) -> str:
-    """All data as a Markdown table."""
-    heads = ("problem", "interface", "parameter", "value", "contact error", "error")
-    counts = ("steps", "iterations", "residuals", "retries", "time")
-    rows = []
-    for d in data:
-        errors = (f"{d.contact_error:.1e}", f"{d.error:.1e}") if d.ended else ("fails", "fails")
-        took = (d.steps, d.iterations, d.residuals, d.retries, f"{cost_of(d):.3g}")
-        rows.append((d.problem, f"`{d.interface}`", d.parameter, f"{d.value:g}", *errors, *took))
-    return tables.markdown((*heads, *counts), rows)
