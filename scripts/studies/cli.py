@@ -9,10 +9,6 @@ from harness.user_commands import FOR_EVERYBODY, commands, start
 COMMANDS = {
     **FOR_EVERYBODY,
     "engines": "studies.engines.command",
-    "indentation": "studies.indentation.command",
-    "indentation-study": "studies.indentation.command",
-    "indentation-extremes": "studies.indentation.command",
-    "indentation-convergence": "studies.indentation.command",
     "ablation": "studies.ablation.command",
     "knee": "studies.knees.command",
     "hard-cases": "studies.hard_cases.command",
@@ -24,7 +20,6 @@ COMMANDS = {
     "fuzz-seeds": "studies.fuzz.command",
     "cost": "studies.cost.command",
     "cost-sweep": "studies.cost.command",
-    "cost-interleaved": "studies.cost.command",
     "price": "studies.price.command",
     "predictor": "studies.predictor.command",
     "synthetic-scenes": "studies.synthetic_scenes.command",

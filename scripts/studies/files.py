@@ -1,4 +1,4 @@
-"""Files of measured data: a frozen dataclass of plain values per row, as JSON or as a table."""
+"""Files of measured data, a frozen dataclass of plain values per row, as JSON or as a table; and of pictures."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
+
+from matplotlib.figure import Figure
 
 from harness.errors import DataFileError
 from studies.stamps import Stamp
@@ -59,3 +61,10 @@ def read_csv(path: Path, kind: type[Row]) -> list[Row]:
 def _row(row: dict[str, str], kind: type[Row]) -> Row:
     kinds: dict[str, Callable[[str], object]] = {"str": str, "int": int, "float": float, "bool": "True".__eq__}
     return kind(**{field.name: kinds[str(field.type)](row[field.name]) for field in fields(kind)})
+
+
+def save_figure(figure: Figure, path: Path) -> Path:
+    """Save a picture, as SVG without its date, in a folder that is made where needed."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
+    return path

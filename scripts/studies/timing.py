@@ -20,15 +20,11 @@ SHORT = 10.0
 """s of processor time of a run that is short enough to be repeated for its time alone."""
 
 
-def execute(
-    model: Model, prefix: Sequence[str] = (), *, check: bool = True, processor_limit: float | None = None
-) -> tuple[engine.Run, str]:
+def execute(model: Model, *, check: bool = True, processor_limit: float | None = None) -> tuple[engine.Run, str]:
     """Run a model by itself, and keep nothing but what febio4 said and its log.
 
     Parameters
     ----------
-    prefix : sequence of str
-        Stands before the command line.
     processor_limit : float, optional
         s of processor time after which the run is ended.
 
@@ -40,7 +36,7 @@ def execute(
     with TemporaryDirectory() as folder:
         path = model.write(Path(folder))
         command = engine.limited(engine.Febio4().command(path, needs_plugin(model)), processor_limit)
-        done = engine.execute([*prefix, *command], Path(folder), check=check)
+        done = engine.execute(command, Path(folder), check=check)
         return done, path.with_suffix(".log").read_text(errors="replace")
 
 

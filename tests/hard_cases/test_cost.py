@@ -14,8 +14,7 @@ from harness.run import engine
 from harness.run.runner import RunResult
 from studies import files
 from studies import timing as timing_of_runs
-from studies.cost import command, interleaved, pareto
-from studies.cost.interleaved import Timing
+from studies.cost import command, pareto
 from studies.cost.point_runs import Datum
 from studies.cost.points import OWN, Problem, finest, points
 from studies.stamps import LIMIT, Stamp, at_limit
@@ -96,11 +95,6 @@ def test_every_point_has_a_model_and_a_name_of_its_own():
     assert {p.interface for p in chosen if p.parameter in OWN} == {InterfaceType.MIXTURE}
 
 
-def test_the_span_of_a_cost_is_that_of_its_kind():
-    assert pareto.span_of(BASE) == (BASE.ratio_low, BASE.ratio_high)
-    assert pareto.span_of(replace(BASE, problem="3.3")) == (BASE.cpu_low, BASE.cpu_high)
-
-
 def test_short_runs_alone_are_repeated_for_their_times(monkeypatch):
     asked: list[str] = []
 
@@ -125,49 +119,3 @@ def test_no_run_has_the_mesh_of_its_reference():
     nodes = len(finest().mesh.nodes)
     own = [point for point in points([Problem.INDENTATION]) if point.interface is InterfaceType.MIXTURE]
     assert all(len(point.model().mesh.nodes) < nodes for point in own)
-
-
-def timing(interface, parameter, value, cpu, *, round_number=1, error=1e-6, instructions=math.nan):
-    return Timing("3.2", interface, parameter, value, "wide", round_number, error, 24, 44, cpu, instructions)
-
-
-def test_what_is_timed_in_turn_is_what_reached_each_error_at_the_least_cost():
-    theirs = replace(BASE, interface="sliding-multiphasic", parameter="penalty factor")
-    febio = [replace(theirs, value=factor, contact_error=1 / factor) for factor in (1e2, 1e4)]
-    chosen = interleaved.contenders([*DATA, *febio], Problem.CONVECTION)
-    named = {(p.interface.value, p.parameter.value, p.value) for p in chosen}
-    assert named == {
-        ("conforming", "default", 0.0),
-        ("sliding-mixture", "default", 0.0),
-        ("sliding-mixture", "predictor", 1.0),
-        ("sliding-mixture", "integration", 0.0),
-        ("sliding-mixture", "penalty factor", 10.0),
-        ("sliding-multiphasic", "penalty factor", 1e2),
-        ("sliding-multiphasic", "penalty factor", 1e4),
-    }
-
-
-def test_ratios_are_those_within_a_round_to_the_faster_that_is_good_enough():
-    ours, slow, poor = (
-        ("sliding-mixture", "default", 0.0),
-        ("sliding-multiphasic", "default", 0.0),
-        ("sliding-biphasic-solute", "penalty factor", 1.0),
-    )
-    found = [timing(*ours, cpu, round_number=n) for n, cpu in enumerate((1.0, 3.0, 2.2), 1)]
-    found += [timing(*slow, cpu, round_number=n) for n, cpu in enumerate((2.0, 4.0, 2.0), 1)]
-    found += [timing(*poor, 0.1, round_number=n, error=0.05) for n in (1, 2, 3)]
-    assert interleaved.ratios(found, ours, slow) == pytest.approx((0.625, 0.75, 0.925))
-    rows = interleaved.ratio_table(found).splitlines()[2:]
-    assert len(rows) == 2
-    assert "| 1e-01 | `sliding-biphasic-solute`, penalty factor 1: 24 it. | default | 24 | 22.000 [" in rows[0]
-    last = "| 1e-02 to 1e-06 | `sliding-multiphasic`, default: 24 it. | default | 24 | 0.750 [0.625, 0.925] | 0.500 |"
-    assert rows[1].endswith(last)
-
-
-def test_instructions_are_compared_where_they_were_counted():
-    ours, theirs = ("sliding-mixture", "default", 0.0), ("sliding-multiphasic", "default", 0.0)
-    counted = [
-        timing(*ours, 50.0, round_number=0, instructions=9e8),
-        timing(*theirs, 40.0, round_number=0, instructions=1e9),
-    ]
-    assert interleaved.ratio_table(counted).endswith("default | 24 | 0.900 | 0.900 |")

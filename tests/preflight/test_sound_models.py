@@ -16,11 +16,12 @@ from typer.testing import CliRunner
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.errors import ModelError
 from harness.models import composite
-from harness.models.blocks import Body, quadratic
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
+from harness.models.indentation import Indentation
+from harness.models.indentation_mesh import Primary
 from harness.models.interface import PAPER, ContactSettings, InterfaceType
 from harness.models.layers import Layers
 from harness.models.mesh import Section
@@ -34,7 +35,8 @@ from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
 from harness.user_commands import FOR_EVERYBODY, commands
 from studies.cli import main
-from studies.models.indentation_variants import Variant
+from studies.models.indentation_variants import LEVELS
+from studies.models.quadratic import quadratic
 
 COLLECTION = sorted(MODELS.glob("*.feb"))
 EXPECTED = {"joint-before": ["leak"], "membrane": ["ambient-pressure"]}
@@ -54,7 +56,9 @@ def generated():
     models += [Convection(interface, peclet=peclet).model() for interface in SOUND for peclet in PRESSURES]
     models += [cls(interface).model() for interface in SOUND for cls in (Composite, Layers)]
     models += [Confined(interface).model() for interface in (InterfaceType.MIXTURE, InterfaceType.BIPHASIC)]
-    return models + [variant.problem.model() for variant in (Variant.COARSE, Variant.HEX20, Variant.SLAB_PRIMARY)]
+    coarse, slab = Indentation(grid=LEVELS[0], name="coarse"), Indentation(primary=Primary.SLAB, name="slab-primary")
+    hex20 = replace(coarse.model(), name="hex20", mesh=quadratic(coarse.model().mesh, 20))
+    return [*models, coarse.model(), hex20, slab.model()]
 
 
 @pytest.mark.parametrize("model", generated(), ids=lambda model: f"{model.name} {model.contacts[0].kind}")
@@ -163,22 +167,7 @@ def test_a_body_of_two_materials_leaks_as_its_layers_in_series(tmp_path):
 
 def test_quadratic_elements_leak_as_linear_ones_do(findings):
     model = Diffusion(InterfaceType.MIXTURE, PAPER, elements=4).model()
-    nodes, parts = model.mesh.nodes, []
-    first = 0
-    places = []
-    for part in model.mesh.parts:
-        own = np.unique(part.elements)
-        body = quadratic(Body(nodes[own - 1], np.searchsorted(own, part.elements)))
-        parts.append(replace(part, elements=body.elements + 1 + first))
-        places.append(body.nodes)
-        first += len(body.nodes)
-    points = np.concatenate(places)
-    tops = {"lower-top": (0, -1, (4, 5, 6, 7, 12, 13, 14, 15)), "upper-bottom": (1, 0, (0, 3, 2, 1, 11, 10, 9, 8))}
-    surfaces = {name: parts[part].elements[row][None, list(at)] for name, (part, row, at) in tops.items()}
-    sets = {"all": np.arange(1, len(points) + 1)}
-    sets |= {name: 1 + np.flatnonzero(np.isclose(points[:, 2], z)) for name, z in (("bottom", -1.0), ("top", 1.0))}
-    mesh = replace(model.mesh, nodes=points, parts=tuple(parts), surfaces=surfaces, node_sets=sets)
-    assert leaks(findings(replace(model, mesh=mesh))) == leaks(findings(model)) != []
+    assert leaks(findings(replace(model, mesh=quadratic(model.mesh, 20)))) == leaks(findings(model)) != []
 
 
 JOINT = """<?xml version="1.0" encoding="ISO-8859-1"?>

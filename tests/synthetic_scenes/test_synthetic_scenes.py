@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from studies import feb
 from studies.pages import scene_results
 from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison
@@ -52,10 +53,10 @@ WITH_ITERATIONS_BY_DEFAULT = {
 }
 
 
-def test_there_are_scenes_of_every_kind():
+def test_there_are_scenes_of_every_kind(tmp_path):
     assert len(SCENES) >= 90
     modules = {"solid", "explicit-solid", "biphasic", "solute", "multiphasic", "fluid-FSI"}
-    assert {scene.module for scene in SCENES.values()} == modules
+    assert {feb.read(scene.write(name, tmp_path)).module for name, scene in SCENES.items()} == modules
 
 
 @pytest.mark.usefixtures("runner")

@@ -45,7 +45,6 @@ SMALL = {
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
     "scripts/mixcontact cost --error 1e-3 --problem 3.2": "{harness} cost --error 1e-3 --problem 3.2",
     "scripts/mixcontact cost --docs": "{harness} cost --help",
-    "scripts/mixcontact cost --only interleaved": "{harness} cost --help",
     "scripts/mixcontact biphasic-hertz --folder docs": "{harness} biphasic-hertz --help",
     "scripts/mixcontact elastic-hertz --folder docs": "{harness} elastic-hertz --help",
     "scripts/mixcontact price --docs": "{harness} price --help",

@@ -13,6 +13,7 @@ import febio_runs
 import numpy as np
 import pytest
 
+from harness.models.blocks import FACES
 from harness.run import engine
 from studies.models import small
 from studies.models.small import (
@@ -90,7 +91,7 @@ def _element(mesh: str, number: int) -> list[str]:
 def bare_facets(document: Document, numbers) -> list[str]:
     """What lies bare of the neighbours of elements of the upper block, as FEBio's growing surfaces have it."""
     ids = {n: _element(document.mesh, n) for n in range(1, 2 * CELLS**2 + 1)}
-    faces = {n: [[each[a] for a in face] for face in small.HEX_FACES] for n, each in ids.items()}
+    faces = {n: [[each[a] for a in face] for face in FACES] for n, each in ids.items()}
     eroded = {frozenset(face) for n in numbers for face in faces[n]}
     return [",".join(face) for n in ids if n not in numbers for face in faces[n] if frozenset(face) in eroded]
 

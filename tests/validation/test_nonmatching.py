@@ -14,7 +14,7 @@ from scenes.nonmatching import PATCHES, QUADRATIC_PATCHES, NonMatching
 from harness.models.convection import Convection
 from harness.models.diffusion import Diffusion
 from harness.models.interface import ContactSettings, InterfaceType
-from harness.models.mesh import Section
+from harness.models.mesh import Box, Mesh, assemble
 from harness.models.parts import Control
 
 pytestmark = pytest.mark.mixture_only
@@ -74,24 +74,24 @@ def test_gauss_points_are_not(runner):
     assert min(errors.values()) >= 1e-3, errors
 
 
+def cubes(divisions: tuple[int, int]) -> Mesh:
+    """Those of the article's problems, of four elements along z and their own numbers across."""
+    bodies = zip(("lower", "upper"), (-1.0, 0.0), divisions, strict=True)
+    mesh = assemble([Box(name, "gel", (0.0, 0.0, z), (1.0, 1.0, 1.0), (n, n, 4)) for name, z, n in bodies])
+    ends = {"bottom": mesh.node_sets["lower-bottom"], "top": mesh.node_sets["upper-top"]}
+    return replace(mesh, node_sets=mesh.node_sets | ends, pairs={"lower/upper": ("lower-top", "upper-bottom")})
+
+
 @pytest.mark.parametrize("settings", EXACT.values(), ids=EXACT)
 @pytest.mark.parametrize("divisions", [(2, 3), (3, 2)])
 @pytest.mark.parametrize("problem", [Diffusion, Convection])
 def test_problems_of_the_article_are_those_of_the_conforming_reference(runner, problem, divisions, settings):
-    one, two = divisions
     common = {"elements": 4, "control": STRICT, "module": "multiphasic"}
     reference = runner(
         problem(interface=InterfaceType.CONFORMING, name=f"conforming-{problem.__name__}", **common).model()
     )
-    split = runner(
-        problem(
-            settings=settings,
-            section=Section(elements=(one, one)),
-            upper_divided=(two, two),
-            name=f"split-{problem.__name__}-{one}-{two}-{settings.laugon}",
-            **common,
-        ).model()
-    )
+    name = f"split-{problem.__name__}-{divisions[0]}-{divisions[1]}-{settings.laugon}"
+    split = runner(replace(problem(settings=settings, name=name, **common).model(), mesh=cubes(divisions)))
     heights = np.round(reference.model.mesh.nodes[:, 2], 9)
     place = [int(np.flatnonzero(heights == z)[0]) for z in np.round(split.model.mesh.nodes[:, 2], 9)]
     for name in ("uz", "p", "c1"):

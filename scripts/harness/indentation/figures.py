@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,10 +28,10 @@ def draw(result: RunResult, curves: Curves, folder: Path) -> list[Path]:
     return [draw_fields(result, folder / f"{FIELDS}.png"), draw_curves(curves, folder / f"{CURVES}.png")]
 
 
-def draw_fields(result: RunResult, path: Path, times: Sequence[float] = TIMES) -> Path:
+def draw_fields(result: RunResult, path: Path) -> Path:
     """Concentration over the deformed bodies; both halves are shown, and times that were not reached are left out."""
     history = result.nodes
-    reached = [time for time in times if time <= history.times[-1] * (1.0 + 1e-6)]
+    reached = [time for time in TIMES if time <= history.times[-1] * (1.0 + 1e-6)]
     if not reached:
         reached = [float(history.times[-1])]
     rows = (len(reached) + 1) // 2

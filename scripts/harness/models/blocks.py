@@ -1,4 +1,4 @@
-"""Meshes put together from mapped blocks: merging, boundary facets, quadratic elements."""
+"""Meshes put together from mapped blocks: merging, boundary facets."""
 
 from __future__ import annotations
 
@@ -12,8 +12,6 @@ from scipy.spatial import cKDTree
 from harness.models.mesh import Ids, Nodes
 
 Points = NDArray[np.float64]
-Middles = Callable[[Points], Points]
-"""Positions (n, 3) of the mid-edge nodes of edges whose ends are (n, 2, 3)."""
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners (from 0) of the faces of a hex8 in FEBio's order, counterclockwise seen from outside."""
@@ -31,7 +29,7 @@ class Body:
     ----------
     nodes : ndarray, shape (n_nodes, 3)
         mm.
-    elements : ndarray of int, shape (n_elements, 4, 6, 8 or 20)
+    elements : ndarray of int, shape (n_elements, 4, 6 or 8)
         Node numbers from 0.
     """
 
@@ -61,12 +59,12 @@ def _is_left_handed(points: Points) -> bool:
     return bool(np.linalg.det(np.stack([edge - points[0, 0, 0] for edge in edges])) < 0.0)
 
 
-def merged(bodies: Sequence[Body], tolerance: float = 1e-9) -> Body:
-    """One body, in which nodes nearer than `tolerance` (mm) to each other are one node."""
+def merged(bodies: Sequence[Body]) -> Body:
+    """One body, in which nodes nearer than 1e-9 mm to each other are one node."""
     nodes = np.concatenate([body.nodes for body in bodies])
     offsets = np.cumsum([0, *(len(body.nodes) for body in bodies[:-1])])
     elements = np.concatenate([body.elements + offset for body, offset in zip(bodies, offsets, strict=True)])
-    kept, number = joined(nodes, tolerance)
+    kept, number = joined(nodes, 1e-9)
     return Body(kept, number[elements])
 
 
@@ -79,48 +77,12 @@ def joined(nodes: Nodes, tolerance: float) -> tuple[Nodes, Ids]:
     return nodes[kept], np.asarray(number, dtype=np.int64)
 
 
-def straight(ends: Points) -> Points:
-    """Middles of straight edges."""
-    return np.asarray(ends.mean(axis=1))
-
-
-def quadratic(body: Body, middles: Middles = straight) -> Body:
-    """The same body of hex20: a node on the middle of each edge.
-
-    Parameters
-    ----------
-    body : Body
-        Of hex8.
-    middles : callable
-        Where the new nodes are; other than the middles of the edges where these are curved.
-    """
-    ends = np.sort(body.elements[:, np.array(EDGES)].reshape(-1, 2), axis=1)
-    edges, index = np.unique(ends, axis=0, return_inverse=True)
-    placed = middles(body.nodes[edges])
-    added = len(body.nodes) + np.asarray(index, dtype=np.int64).reshape(len(body.elements), len(EDGES))
-    return Body(np.concatenate([body.nodes, placed]), np.concatenate([body.elements, added], axis=1))
-
-
 def boundary(body: Body) -> Ids:
-    """Outer facets of a body, shape (n_facets, 3, 4 or 8): corners counterclockwise seen from outside, then middles."""
-    faces = _faces(body.elements.shape[1])
+    """Outer facets of a body of tet4 or hex8, shape (n_facets, 3 or 4), counterclockwise seen from outside."""
+    faces = np.array(TET_FACES if body.elements.shape[1] == 4 else FACES)
     facets = body.elements[:, faces].reshape(-1, faces.shape[1])
-    _, index, count = np.unique(np.sort(facets[:, :4], axis=1), axis=0, return_index=True, return_counts=True)
+    _, index, count = np.unique(np.sort(facets, axis=1), axis=0, return_index=True, return_counts=True)
     return np.asarray(facets[np.sort(index[count == 1])], dtype=np.int64)
-
-
-def _faces(nodes: int) -> Ids:
-    """Local numbers of the nodes of the faces of an element of 4, 8 or 20 nodes."""
-    if nodes == 4:
-        return np.array(TET_FACES)
-    corners = np.array(FACES)
-    return corners if nodes == 8 else np.concatenate([corners, _middles(corners)], axis=1)
-
-
-def _middles(corners: Ids) -> Ids:
-    """Local numbers of the mid-edge nodes of the faces of a hex20."""
-    number = {frozenset(edge): 8 + place for place, edge in enumerate(EDGES)}
-    return np.array([[number[frozenset((face[i], face[(i + 1) % 4]))] for i in range(4)] for face in corners.tolist()])
 
 
 def facets_where(body: Body, inside: Callable[[Points], NDArray[np.bool_]]) -> Ids:

@@ -3,21 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from harness.closed_forms import composite_slab
-from harness.models.layered import Layered, one_above_the_other
-from harness.models.mesh import Layer
-from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
-    Condition,
-    Material,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    pressure,
-)
+from harness.models.layered import Layered
+from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Mixture, Solid, Solute, concentration, pressure
 
 AMBIENT = 1.0
 """mM."""
@@ -52,26 +42,10 @@ class Composite(Layered):
 
     ABOUT = ABOUT
     CLOSING = CLOSING
-
-    @property
-    def materials(self) -> dict[str, Material]:
-        """One of each layer."""
-        return {"first": _material(0, FIRST), "second": _material(1, SECOND)}
-
-    @property
-    def layers(self) -> list[Layer]:
-        """The first below, the second above."""
-        return one_above_the_other((FIRST.thickness, SECOND.thickness), self.elements)
-
-    @property
-    def prescribed(self) -> tuple[Condition, ...]:
-        """Ambient below, impermeable above."""
-        return (
-            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * AMBIENT),
-            concentration("bottom", AMBIENT),
-        )
-
-    @property
-    def element_columns(self) -> tuple[str, ...]:
-        """Concentration and flux."""
-        return ("c", "jz") if self.module_used == "solute" else ("c1", "j1z")
+    MATERIALS: ClassVar = {"first": _material(0, FIRST), "second": _material(1, SECOND)}
+    COLUMN = (("lower", "first", FIRST.thickness), ("upper", "second", SECOND.thickness))
+    PRESCRIBED = (
+        pressure("bottom", -GAS_CONSTANT * TEMPERATURE * AMBIENT),
+        concentration("bottom", AMBIENT),
+    )
+    LOGGED = ("c", "jz")

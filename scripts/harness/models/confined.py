@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from harness.models.layered import Layered
-from harness.models.mesh import Layer
-from harness.models.parts import Condition, Material, Mixture, Solid, normal_load, pressure
+from harness.models.parts import Mixture, Solid, normal_load, pressure
 
 HEIGHT = 2.0
 """mm."""
@@ -36,23 +36,11 @@ class Confined(Layered):
 
     ABOUT = ABOUT
     GAP = -OVERLAP
+    MATERIALS: ClassVar = {"gel": Mixture(Solid(MODULUS), PERMEABILITY)}
+    COLUMN = (("lower", "gel", HEIGHT / 2), ("upper", "gel", HEIGHT / 2))
+    PRESCRIBED = (pressure("top", 0.0), normal_load("top", LOAD))
 
     @property
     def module_used(self) -> str:
         """There is no solute."""
         return "biphasic"
-
-    @property
-    def materials(self) -> dict[str, Material]:
-        """The same in both halves."""
-        return {"gel": Mixture(Solid(MODULUS), PERMEABILITY)}
-
-    @property
-    def layers(self) -> list[Layer]:
-        """The two halves."""
-        return [Layer(name, "gel", HEIGHT / 2, self.elements) for name in ("lower", "upper")]
-
-    @property
-    def prescribed(self) -> tuple[Condition, ...]:
-        """Loaded and drained above."""
-        return (pressure("top", 0.0), normal_load("top", LOAD))

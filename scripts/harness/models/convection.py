@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from harness.models.diffusion import CLOSING, DIFFUSIVITY, HEIGHT
 from harness.models.layered import Layered
-from harness.models.mesh import Layer
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
     Condition,
     Control,
-    Material,
     Mixture,
     Solid,
     Solute,
@@ -41,15 +40,16 @@ after 20000 s and follows the closed form."""
 
 @dataclass(frozen=True)
 class Convection(Layered):
-    """Choices of problem 3.2; `peclet` is 0, 1 or 10, `upper_divided` that of `harness.models.diffusion.Diffusion`."""
+    """Choices of problem 3.2; `peclet` is 0, 1 or 10."""
 
     control: Control = Control(400, 50.0)
     name: str = "convection"
-    upper_divided: tuple[int, int] | None = None
     peclet: int = 1
 
     CLOSING = CLOSING
     BOTTOM = -HEIGHT / 2
+    MATERIALS: ClassVar = {"gel": MATERIAL}
+    COLUMN = (("lower", "gel", HEIGHT / 2), ("upper", "gel", HEIGHT / 2))
 
     @property
     def title(self) -> str:
@@ -60,19 +60,6 @@ class Convection(Layered):
     def about(self) -> str:
         """What the model shows."""
         return ABOUT.format(peclet=self.peclet, pressure=PRESSURES[self.peclet])
-
-    @property
-    def materials(self) -> dict[str, Material]:
-        """The same in both cubes."""
-        return {"gel": MATERIAL}
-
-    @property
-    def layers(self) -> list[Layer]:
-        """The two cubes."""
-        return [
-            Layer("lower", "gel", HEIGHT / 2, self.elements),
-            Layer("upper", "gel", HEIGHT / 2, self.elements, self.upper_divided),
-        ]
 
     @property
     def prescribed(self) -> tuple[Condition, ...]:

@@ -49,8 +49,6 @@ class Diffusion(Layered):
         Materials of the two cubes.
     ambient : tuple of float
         Ambient concentration of each solute, mM.
-    upper_divided : tuple of int, optional
-        Elements of the upper cube along x and y, where they differ from those of the section.
     """
 
     control: Control = Control(400, 20.0)
@@ -58,7 +56,6 @@ class Diffusion(Layered):
     lower: Mixture = MATERIAL
     upper: Mixture = MATERIAL
     ambient: tuple[float, ...] = (AMBIENT,)
-    upper_divided: tuple[int, int] | None = None
 
     ABOUT = ABOUT
     CLOSING = CLOSING
@@ -77,7 +74,7 @@ class Diffusion(Layered):
         names = tuple(self.materials)
         return [
             Layer("lower", names[0], HEIGHT / 2, self.elements),
-            Layer("upper", names[-1], HEIGHT / 2, self.elements, self.upper_divided),
+            Layer("upper", names[-1], HEIGHT / 2, self.elements),
         ]
 
     @property

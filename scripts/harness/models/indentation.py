@@ -50,11 +50,11 @@ ABOUT = """\
 Transient contact with solute transport: problem 3.3 and figure 3.4 of Ateshian, Maas and Weiss (2012),
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
 
-A {body} of radius {radius:g} mm moves {depth:g} mm into a slab 3 mm wide and 2 mm high within 1 s, and stays
-there until 6000 s. The slab has a concentration of 1 mM at the start, and the {body} and the surrounding fluid
+A semi-cylinder of radius {radius:g} mm moves {depth:g} mm into a slab 3 mm wide and 2 mm high within 1 s, and stays
+there until 6000 s. The slab has a concentration of 1 mM at the start, and the semi-cylinder and the surrounding fluid
 have 0 mM. Diffusion and the flow of solvent carry solute out of the slab. The surrounding fluid wets all surfaces
 that are not in contact.
-By symmetry, the model contains {part}."""
+By symmetry, the model contains one half, as a layer of one element with no displacement along z."""
 
 
 @dataclass(frozen=True)
@@ -71,14 +71,10 @@ class Indentation:
         Which body has the primary surface.
     clamp : bool
         Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
-    sliding : bool
-        Whether the slab's bottom can slide along x (and z).
     gripped : bool
-        Whether the round body's flat top is held along x (and z). Its edge is then a singular corner, where a fine mesh
+        Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
         turns inside out.
     control : Control
-    gel : Mixture
-        Material of both bodies.
     module : str, optional
         The module that `interface` asks for without it.
     name : str
@@ -89,10 +85,8 @@ class Indentation:
     grid: Grid = Grid()
     primary: Primary = Primary.CYLINDER
     clamp: bool = True
-    sliding: bool = True
     gripped: bool = True
     control: Control = CONTROL
-    gel: Mixture = GEL
     module: str | None = None
     name: str = "indentation"
     plot: bool = False
@@ -103,10 +97,10 @@ class Indentation:
         module = self.module or self.interface.module
         return Model(
             self.name,
-            header(self.name, self._about(), self.interface),
+            header(self.name, ABOUT.format(radius=self.grid.radius, depth=DEPTH), self.interface),
             module,
             made,
-            {"slab": self.gel, "cylinder": self.gel},
+            {"slab": GEL, "cylinder": GEL},
             self._conditions(),
             self._control(module),
             contacts(self.interface, made, self.settings),
@@ -115,23 +109,17 @@ class Indentation:
             further_columns=("Rx", "Ry", "Rz"),
         )
 
-    def _about(self) -> str:
-        body = "hemisphere" if self.grid.solid else "semi-cylinder"
-        part = "a quarter" if self.grid.solid else "one half, as a layer of one element with no displacement along z"
-        return ABOUT.format(body=body, radius=self.grid.radius, depth=DEPTH, part=part)
-
     def _conditions(self) -> tuple[Condition, ...]:
         """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the surroundings."""
-        plane = fix("symmetry-z", "z") if self.grid.solid else fix("all", "z")
         grip = (fix("top", "xz"),) if self.gripped else ()
         return (
-            plane,
+            fix("all", "z"),
             fix("symmetry", "x"),
-            fix("bottom", "y" if self.sliding else "xyz"),
+            fix("bottom", "y"),
             *grip,
             displace("top", "y", -DEPTH, RAMP_CURVE),
             initial_concentration("slab", CONCENTRATION),
-            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * self.gel.osmotic * CONCENTRATION),
+            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * GEL.osmotic * CONCENTRATION),
         )
 
     def _control(self, module: str) -> Control:

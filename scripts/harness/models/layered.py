@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -9,12 +10,6 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
 from harness.models.parts import Condition, Control, Material, displace, fix
-
-
-def one_above_the_other(thicknesses: tuple[float, float], elements: int) -> list[Layer]:
-    """Layers of the materials ``first``, below, and ``second``; thicknesses in mm, each with so many elements."""
-    names = (("lower", "first"), ("upper", "second"))
-    return [Layer(*name, thickness, elements) for name, thickness in zip(names, thicknesses, strict=True)]
 
 
 @dataclass(frozen=True)
@@ -55,6 +50,13 @@ class Layered:
     """z of the lowest face, mm."""
     GAP: ClassVar[float] = 0.0
     """Distance of the layers at first, mm; negative for an overlap."""
+    MATERIALS: ClassVar[Mapping[str, Material]]
+    COLUMN: ClassVar[tuple[tuple[str, str, float], ...]]
+    """Name, material and thickness (mm) of each layer, from the lowest on."""
+    PRESCRIBED: ClassVar[tuple[Condition, ...]]
+    """Pressures, concentrations and loads, on the node sets ``bottom`` and ``top``."""
+    LOGGED: ClassVar[tuple[str, ...]] = ()
+    """Element data to write, by their names in the module `solute`."""
 
     @property
     def title(self) -> str:
@@ -69,17 +71,17 @@ class Layered:
     @property
     def layers(self) -> list[Layer]:
         """From the lowest on."""
-        raise NotImplementedError
+        return [Layer(*each, self.elements) for each in self.COLUMN]
 
     @property
-    def materials(self) -> dict[str, Material]:
+    def materials(self) -> Mapping[str, Material]:
         """By the names that the layers give."""
-        raise NotImplementedError
+        return self.MATERIALS
 
     @property
     def prescribed(self) -> tuple[Condition, ...]:
-        """Pressures, concentrations and loads, on the node sets ``bottom`` and ``top``."""
-        raise NotImplementedError
+        """What is prescribed at both ends."""
+        return self.PRESCRIBED
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
@@ -89,8 +91,9 @@ class Layered:
 
     @property
     def element_columns(self) -> tuple[str, ...]:
-        """Element data to write."""
-        return ()
+        """Element data to write, by the names of the module."""
+        others = {"c": "c1", "jz": "j1z"} if self.module_used != "solute" else {}
+        return tuple(others.get(name, name) for name in self.LOGGED)
 
     @property
     def module_used(self) -> str:

@@ -3,21 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from harness.closed_forms import two_layer_convection
-from harness.models.layered import Layered, one_above_the_other
-from harness.models.mesh import Layer
-from harness.models.parts import (
-    Condition,
-    Control,
-    Material,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    fluid_flux,
-    pressure,
-)
+from harness.models.layered import Layered
+from harness.models.parts import Control, Mixture, Solid, Solute, concentration, fluid_flux, pressure
 
 UPSTREAM = 1.0
 """Effective concentration at the inlet z = 0, mM; 0 at the outlet."""
@@ -53,28 +43,12 @@ class Layers(Layered):
 
     ABOUT = ABOUT
     CLOSING = CLOSING
-
-    @property
-    def materials(self) -> dict[str, Material]:
-        """One of each layer."""
-        return {"first": _material(FIRST), "second": _material(SECOND)}
-
-    @property
-    def layers(self) -> list[Layer]:
-        """The first below, the second above."""
-        return one_above_the_other((FIRST.thickness, SECOND.thickness), self.elements)
-
-    @property
-    def prescribed(self) -> tuple[Condition, ...]:
-        """Inlet below, outlet above."""
-        return (
-            concentration("bottom", UPSTREAM),
-            concentration("top", 0.0),
-            pressure("top", 0.0),
-            fluid_flux("bottom", -FLUX),
-        )
-
-    @property
-    def element_columns(self) -> tuple[str, ...]:
-        """Concentration and flux."""
-        return ("wz", "c", "jz") if self.module_used == "solute" else ("wz", "c1", "j1z")
+    MATERIALS: ClassVar = {"first": _material(FIRST), "second": _material(SECOND)}
+    COLUMN = (("lower", "first", FIRST.thickness), ("upper", "second", SECOND.thickness))
+    PRESCRIBED = (
+        concentration("bottom", UPSTREAM),
+        concentration("top", 0.0),
+        pressure("top", 0.0),
+        fluid_flux("bottom", -FLUX),
+    )
+    LOGGED = ("wz", "c", "jz")

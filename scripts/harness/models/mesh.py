@@ -58,16 +58,12 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Layer:
-    """One slab of a column: its name, material, thickness (mm) and number of elements through the thickness.
-
-    `divided`: its own numbers of elements along x and y where the column is split; those of the section without it.
-    """
+    """One slab of a column: its name, material, thickness (mm) and number of elements through the thickness."""
 
     name: str
     material: str
     thickness: float
     elements: int
-    divided: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True)
@@ -186,7 +182,7 @@ def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
     boxes: list[Box] = []
     height = bottom
     for layer in layers:
-        size, elements = (*section.width, layer.thickness), (*(layer.divided or section.elements), layer.elements)
+        size, elements = (*section.width, layer.thickness), (*section.elements, layer.elements)
         boxes.append(Box(layer.name, layer.material, (0.0, 0.0, height), size, elements))
         height += layer.thickness + gap
     mesh = assemble(boxes)
@@ -205,7 +201,7 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
     ModelError
         For a layer without thickness or elements.
     """
-    mesh = split_column([replace(layer, divided=None) for layer in layers], bottom=bottom, section=section)
+    mesh = split_column(layers, bottom=bottom, section=section)
     same = np.arange(len(mesh.nodes))
     for lower, upper in pairwise(layers):
         same[mesh.node_sets[f"{upper.name}-bottom"] - 1] = mesh.node_sets[f"{lower.name}-top"] - 1

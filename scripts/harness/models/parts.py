@@ -304,9 +304,9 @@ def normal_load(where: str, value: float, curve: int | None = None) -> Condition
     return Condition("surface_load", "pressure", where, params)
 
 
-def fluid_flux(where: str, value: float, curve: int | None = None) -> Condition:
+def fluid_flux(where: str, value: float) -> Condition:
     """Prescribe the volume flux of solvent out of a surface relative to the solid (mm/s)."""
-    params = (Param("flux", value, curve), Param("linear", True), Param("mixture", False))
+    params = (Param("flux", value), Param("linear", True), Param("mixture", False))
     return Condition("surface_load", "fluidflux", where, params)
 
 

@@ -15,6 +15,8 @@ from harness.models.mesh import Ids, Mesh
 from harness.run.runner import RunResult
 
 Array = NDArray[np.float64]
+SAME_PLACE = 1e-6
+"""mm between nodes of two meshes that stand for one another."""
 
 
 @dataclass(frozen=True)
@@ -54,24 +56,18 @@ def missed(measures: Iterable[Measure]) -> list[str]:
     ]
 
 
-def counterparts(mesh: Mesh, reference: Mesh, tolerance: float = 1e-6) -> Ids:
+def counterparts(mesh: Mesh, reference: Mesh) -> Ids:
     """For each node of a split mesh, the index (from 0) of the node of the conforming mesh at the same place.
-
-    Parameters
-    ----------
-    mesh, reference : Mesh
-    tolerance : float
-        Largest distance, mm.
 
     Raises
     ------
     ModelError
-        Where a node has no counterpart.
+        Where a node has no counterpart within `SAME_PLACE`.
     """
     distance, index = cKDTree(reference.nodes).query(mesh.nodes)
-    if np.any(distance > tolerance):
+    if np.any(distance > SAME_PLACE):
         worst = int(np.argmax(distance))
-        raise ModelError(f"node {worst + 1} at {mesh.nodes[worst]} has no counterpart within {tolerance:g} mm")
+        raise ModelError(f"node {worst + 1} at {mesh.nodes[worst]} has no counterpart within {SAME_PLACE:g} mm")
     return np.asarray(index, dtype=np.int64)
 
 
@@ -95,17 +91,9 @@ def differences(split: RunResult, reference: RunResult, column: str) -> Array:
     return np.abs(a[column] - b[column][:, same])
 
 
-def jump(result: RunResult, column: str, pair: str, time: float | None = None) -> float:
-    """Largest |difference| of a nodal variable over a contact pair of matching meshes, at a time (s) or the last.
-
-    Raises
-    ------
-    DataFileError
-        Where nothing was written at that time.
-    """
-    history = result.nodes
-    state = history.at(time) if time is not None else -1
-    values = history[column][state]
+def jump(result: RunResult, column: str, pair: str) -> float:
+    """Largest |difference| of a nodal variable over a contact pair of matching meshes, at the end."""
+    values = result.nodes[column][-1]
     below, above = facing(result.model.mesh, pair)
     return float(np.max(np.abs(values[below - 1] - values[above - 1])))
 
@@ -124,6 +112,6 @@ def error_at(result: RunResult, column: str, exact: Array, time: float | None = 
     return float(np.max(np.abs(history[column][state] - exact)))
 
 
-def observed_order(coarse: float, fine: float, ratio: float = 2.0) -> float:
-    """log(coarse/fine)/log(ratio), for two errors or two successive differences under refinement by `ratio`."""
-    return math.log(coarse / fine) / math.log(ratio)
+def observed_order(coarse: float, fine: float) -> float:
+    """log2(coarse/fine), for two errors or two successive differences on elements of half the size."""
+    return math.log2(coarse / fine)

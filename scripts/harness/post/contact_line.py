@@ -38,20 +38,14 @@ class Projection:
 
 
 def line_nodes(mesh: Mesh, surface: str) -> Ids:
-    """Numbers (from 1) of a surface's nodes in the plane z = 0, from the axis x = 0 outwards along the surface.
-
-    Mid-edge nodes of quadratic elements are among them: the line then has two segments for each edge.
-    """
+    """Numbers (from 1) of a surface's nodes in the plane z = 0, from the axis x = 0 outwards along the surface."""
     on_plane = np.abs(mesh.nodes[:, 2]) < 1e-9
     chains: dict[int, set[int]] = {}
     for facet in mesh.surfaces[surface].tolist():
-        corners, middles = facet[:4], facet[4:]
-        for i in range(4):
-            chain = [corners[i], *([middles[i]] if middles else []), corners[(i + 1) % 4]]
-            if all(on_plane[number - 1] for number in chain):
-                for a, b in pairwise(chain):
-                    chains.setdefault(a, set()).add(b)
-                    chains.setdefault(b, set()).add(a)
+        for a, b in pairwise([*facet, facet[0]]):
+            if on_plane[a - 1] and on_plane[b - 1]:
+                chains.setdefault(a, set()).add(b)
+                chains.setdefault(b, set()).add(a)
     ends = [number for number, others in chains.items() if len(others) == 1]
     path = [min(ends, key=lambda number: float(mesh.nodes[number - 1, 0]))]
     while True:
@@ -84,26 +78,24 @@ def project(points: Array, line: Array) -> Projection:
     return Projection(side * distance[rows, nearest], nearest.astype(np.int64), fraction[rows, nearest])
 
 
-def half_width(x: Array, gap: Array, closed: float = 0.0) -> float:
+def half_width(x: Array, gap: Array) -> float:
     """Place (mm) at which a line that touches at its start leaves the other one.
 
     Parameters
     ----------
     x, gap : ndarray, shape (n_points,)
-        Positions along the line and gaps, mm, from the axis outwards.
-    closed : float
-        Gap up to which surfaces count as being in contact, mm.
+        Positions along the line and gaps, mm, from the axis outwards; 0 and less is contact.
 
     Returns
     -------
     float
         Interpolated between the last closed point and the first open one after it; 0 where nothing is in contact.
     """
-    touching = np.flatnonzero(gap <= closed)
+    touching = np.flatnonzero(gap <= 0.0)
     if touching.size == 0:
         return 0.0
     last = int(touching[-1])
     if last == len(x) - 1:
         return float(x[last])
-    share = (closed - gap[last]) / (gap[last + 1] - gap[last])
+    share = -gap[last] / (gap[last + 1] - gap[last])
     return float(x[last] + share * (x[last + 1] - x[last]))

@@ -9,7 +9,7 @@ import typer
 from rich.console import Console
 
 from harness.choice import chosen
-from harness.paths import DOCS, RESULTS
+from harness.paths import RESULTS
 from studies import files, stamps
 from studies.ablation import ablated_runs, page
 from studies.ablation.ablated_runs import Ablated
@@ -47,8 +47,7 @@ def ablation(
     console.print(f"Written: {folder / 'ablation.csv'}")
     if docs:
         files.write_csv(rows, Ablated, DATA / page.SOURCE, stamps.stamp(limit))
-        (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
-        console.print(f"Written: {DOCS / page.PAGE.name}")
+        console.print(f"Written: {page.PAGE.write()}")
 
 
 def _line(row: Ablated) -> str:

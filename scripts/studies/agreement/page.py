@@ -12,8 +12,8 @@ from studies.agreement.comparisons import FEBIO, MESHES, OURS, Row
 from studies.agreement.quantities import FACETS_AREA
 from studies.pages import stamped_rows
 from studies.pages.evidence import DATA
+from studies.pages.stamped_rows import Stamped
 from studies.pages.texts import page_text
-from studies.stamps import Stamp
 
 SOURCE, PAGE, ALL = "agreement.json", "evidence/agreement.md", "reference/agreement.md"
 NUMBERS, FIELDS = "forces, approaches, areas and contents", "fields (L2)"
@@ -23,23 +23,12 @@ HEAD = page_text("agreement")
 ALL_HEAD = page_text("agreement-all")
 
 
-@dataclass(frozen=True)
-class Results:
-    """What the command found, and with what."""
-
-    stamp: Stamp
-    rows: list[Row]
+Results = Stamped[Row]
 
 
 def read() -> Results:
-    """The results in docs/data.
-
-    Raises
-    ------
-    DataFileError
-        Where there are none.
-    """
-    return Results(*stamped_rows.read(DATA / SOURCE, Row, "agreement --docs"))
+    """The results in docs/data."""
+    return stamped_rows.read(DATA / SOURCE, Row, "agreement --docs")
 
 
 def page(results: Results) -> str:

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeVar
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
-from studies import tables
+from studies import files, tables
 from studies.cost.point_runs import Datum
 from studies.cost.points import Parameter, Problem
 
+Point = TypeVar("Point")
 LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic-solute": "#2f5d9e", "sliding-multiphasic": "#2a8f7c"}
 """Colours of the interfaces."""
 SMALLEST = 1e-12
@@ -36,25 +37,24 @@ def cost_of(datum: Datum) -> float:
     return datum.cpu if datum.problem == Problem.INDENTATION.value else datum.ratio
 
 
-def span_of(datum: Datum) -> tuple[float, float]:
-    """Least and largest cost of repeated runs."""
-    whole = datum.problem == Problem.INDENTATION.value
-    return (datum.cpu_low, datum.cpu_high) if whole else (datum.ratio_low, datum.ratio_high)
-
-
 def comparable(data: Sequence[Datum], problem: Problem, *, ended: bool = True) -> list[Datum]:
     """Runs of a problem that ended, or did not, on the mesh and in the steps of the defaults."""
     parameters = {parameter.value for parameter in Parameter if parameter not in DISCRETISATION}
     return [d for d in data if d.problem == problem.value and d.ended == ended and d.parameter in parameters]
 
 
+def front(data: Sequence[Point], place: Callable[[Point], tuple[float, float]]) -> list[Point]:
+    """Data than which no other one is both cheaper and more accurate, from the cheapest on; `place`: cost and error."""
+    found: list[Point] = []
+    for datum in sorted(data, key=place):
+        if not found or place(datum)[1] < place(found[-1])[1]:
+            found.append(datum)
+    return found
+
+
 def pareto(data: Sequence[Datum]) -> list[Datum]:
-    """Data than which no other one is both cheaper and more accurate, from the cheapest on."""
-    front: list[Datum] = []
-    for datum in sorted(data, key=lambda d: (cost_of(d), error_of(d))):
-        if not front or error_of(datum) < error_of(front[-1]):
-            front.append(datum)
-    return front
+    """The front of the sweep."""
+    return front(data, lambda datum: (cost_of(datum), error_of(datum)))
 
 
 def cheapest(data: Sequence[Datum], error: float) -> Datum | None:
@@ -65,7 +65,6 @@ def cheapest(data: Sequence[Datum], error: float) -> Datum | None:
 
 def draw(data: Sequence[Datum], path: Path) -> Path:
     """Error against time: a panel for each problem that has data, a line for each interface, one below the other."""
-    mpl.use("Agg")
     problems = [problem for problem in Problem if any(d.problem == problem.value for d in data)]
     figure = Figure(figsize=(5.4, 0.5 + 2.9 * len(problems)), layout="constrained", facecolor="white")
     for axes, problem in zip(np.atleast_1d(figure.subplots(len(problems), 1)), problems, strict=True):
@@ -78,8 +77,7 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
         axes.set_title(f"problem {problem.value}", fontsize=11, loc="left")
     handles = [Line2D([], [], color=colour, marker="o", markersize=4, label=name) for name, colour in LOOKS.items()]
     figure.legend(handles=handles, fontsize=9, ncols=3, loc="outside upper center", frameon=False, columnspacing=1.0)
-    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
-    return path
+    return files.save_figure(figure, path)
 
 
 def _panel(axes: Axes, data: Sequence[Datum]) -> None:
@@ -93,9 +91,9 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     for name, colour in LOOKS.items():
         own = [d for d in data if d.interface == name]
         axes.plot(list(map(cost_of, own)), list(map(_shown, own)), "o", color=colour, markersize=3.5, alpha=0.35, mew=0)
-        front = pareto([d for d in own if d.parameter != Parameter.PREDICTOR.value])
+        best = pareto([d for d in own if d.parameter != Parameter.PREDICTOR.value])
         line = {"color": colour, "marker": "o", "markersize": 4.5, "linewidth": 1.8}
-        axes.step(list(map(cost_of, front)), list(map(_shown, front)), where="post", **line)
+        axes.step(list(map(cost_of, best)), list(map(_shown, best)), where="post", **line)
 
 
 def _ticks(axes: Axes) -> None:
@@ -161,15 +159,3 @@ def _paid(datum: Datum | None) -> str:
         return "not reached"
     what = "default" if datum.parameter == Parameter.DEFAULT.value else f"{datum.parameter} {datum.value:g}"
     return f"{what}: {datum.iterations} it., {cost_of(datum):.3g}"
-
-
-def table(data: Sequence[Datum]) -> str:
-    """All data as a Markdown table."""
-    heads = ("problem", "interface", "parameter", "value", "contact error", "error")
-    counts = ("steps", "iterations", "residuals", "retries", "time")
-    rows = []
-    for d in data:
-        errors = (f"{d.contact_error:.1e}", f"{d.error:.1e}") if d.ended else ("fails", "fails")
-        took = (d.steps, d.iterations, d.residuals, d.retries, f"{cost_of(d):.3g}")
-        rows.append((d.problem, f"`{d.interface}`", d.parameter, f"{d.value:g}", *errors, *took))
-    return tables.markdown((*heads, *counts), rows)

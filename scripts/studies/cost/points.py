@@ -13,7 +13,6 @@ from harness.models.document import Model
 from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import Grid
 from harness.models.interface import ContactSettings, InterfaceType, automatic, default_settings
-from harness.models.mesh import Section
 from harness.models.parts import Control, Curve, Param
 from studies.models.indentation_variants import LEVELS
 
@@ -23,6 +22,8 @@ HALFWAY = Grid(across=13, down=9, around=4)
 END_33 = 100.0
 """s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion."""
 TIMES_33 = (1.0, END_33)
+ELEMENTS, STEPS = 5, 20
+"""Through each cube of 3.1 (to 2000 s) and 3.2 (to 20000 s), and number of time steps, unless these are varied."""
 AUGLAG_START = 10.0
 """Factor of the automatic penalties from which the augmentations start."""
 
@@ -80,24 +81,6 @@ VALUES_33: dict[Parameter, tuple[float, ...]] = {
 
 
 @dataclass(frozen=True)
-class Size:
-    """Mesh and number of time steps of 3.1 (to 2000 s) and 3.2 (to 20000 s), unless these are the parameter.
-
-    Attributes
-    ----------
-    elements : int
-        Elements through each cube.
-    width : int
-        Elements along x and along y, where nothing varies: more of them make a run longer, not different.
-    steps : int
-    """
-
-    elements: int = 5
-    width: int = 1
-    steps: int = 20
-
-
-@dataclass(frozen=True)
 class Point:
     """One run of the sweep.
 
@@ -107,15 +90,12 @@ class Point:
     interface : InterfaceType
     parameter : Parameter
     value : float
-    size : Size
-        Of 3.1 and 3.2.
     """
 
     problem: Problem
     interface: InterfaceType
     parameter: Parameter
     value: float
-    size: Size = Size()
 
     @property
     def name(self) -> str:
@@ -159,12 +139,12 @@ class Point:
         )
 
     def _steps(self, end: float) -> Control:
-        steps = int(self.value) if self.parameter is Parameter.STEP else self.size.steps
+        steps = int(self.value) if self.parameter is Parameter.STEP else STEPS
         return self._control(Control(steps, end / steps))
 
     @property
     def _elements(self) -> int:
-        return int(self.value) if self.parameter is Parameter.MESH else self.size.elements
+        return int(self.value) if self.parameter is Parameter.MESH else ELEMENTS
 
 
 def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, InterfaceType], Model]:
@@ -176,7 +156,6 @@ def _cubes(scene: Diffusion | Convection, end: float) -> Callable[[Point, Interf
             interface=interface,
             settings=point.settings if interface.is_contact else None,
             elements=point._elements,
-            section=Section(elements=(point.size.width, point.size.width)),
             control=point._steps(end),
             module=point.interface.module,
             name=f"cost-{point.name}-{interface.slug}",

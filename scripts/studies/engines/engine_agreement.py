@@ -10,10 +10,10 @@ import numpy as np
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
+from harness.models.indentation import Indentation
 from harness.models.parts import Param
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
-from studies.models.indentation_variants import Variant
 
 TOLERANCE = 1e-10
 """Newton's relative tolerances."""
@@ -45,21 +45,19 @@ class Comparison:
 COMPARISONS = (
     Comparison("diffusion", Diffusion().model, 1e-22),
     *(Comparison(f"convection-pe{peclet}", Convection(peclet=peclet).model, 1e-18) for peclet in PRESSURES),
-    Comparison(
-        "indentation", replace(Variant.PLAIN.problem, module="multiphasic", clamp=False).model, 1e-26, tolerance=MOVING
-    ),
+    Comparison("indentation", Indentation(module="multiphasic", clamp=False).model, 1e-26, tolerance=MOVING),
 )
 
 
-def strict(model: Model, floor: float, tolerance: float = TOLERANCE) -> Model:
+def strict(model: Model, floor: float) -> Model:
     """The model with tolerances that leave nothing but rounding, and with steps that do not follow the iterations."""
     stepper = model.control.stepper and replace(model.control.stepper, force=True)
     control = replace(
         model.control,
-        displacement_tolerance=tolerance,
+        displacement_tolerance=TOLERANCE,
         energy_tolerance=0.0,
-        pressure_tolerance=tolerance,
-        concentration_tolerance=tolerance,
+        pressure_tolerance=TOLERANCE,
+        concentration_tolerance=TOLERANCE,
         reformations=2 * model.control.reformations,
         stepper=stepper,
         solver=(Param("min_residual", floor), *model.control.solver),

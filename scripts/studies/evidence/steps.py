@@ -91,7 +91,7 @@ UNTIMED = (
 TIMED = (
     Step("gallery", ("gallery.json",), (("gallery", *_DOCS),), 0.0),
     Step("friction-cost", ("friction-cost.csv",), (("friction-cost", *_DOCS),)),
-    Step("cost", ("cost.csv",), (("cost", "--only", "sweep", "--docs", "--folder", "{folder}"),)),
+    Step("cost", ("cost.csv",), (("cost", "--docs", "--folder", "{folder}"),)),
     Step(
         "price",
         ("price-joints.csv", "price-effects.csv", "price-comparison.csv"),

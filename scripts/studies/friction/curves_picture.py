@@ -8,6 +8,7 @@ from pathlib import Path
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from studies import files
 from studies.friction.curves import FEBIO_SERIES, SMOOTH_SPHERES, SPHERES, Row
 from studies.friction.published import ABAQUS, AREIAS, FEBIO, SAUER
 
@@ -34,9 +35,7 @@ def draw(rows: Sequence[Row], path: Path) -> Path:
         label: handle for axes in all_axes for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)
     }
     figure.legend(found.values(), found, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Date": None})
-    return path
+    return files.save_figure(figure, path)
 
 
 def _panel(axes: Axes, rows: Sequence[Row]) -> None:

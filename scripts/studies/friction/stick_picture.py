@@ -10,6 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from studies import files
+from studies.cost import pareto
 from studies.friction.stick_points import Datum, Parameter, Problem
 
 PICTURE = "images/friction-cost.svg"
@@ -38,9 +40,7 @@ def draw(data: Sequence[Datum], path: Path) -> Path:
     handles = [Line2D([], [], color=colour, marker="o", markersize=4, label=name) for name, colour in LOOKS.items()]
     handles.append(Line2D([], [], color="0.3", marker="*", linestyle="", markersize=10, label="defaults"))
     figure.legend(handles=handles, fontsize=9, ncols=3, loc="outside upper center", frameon=False)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
-    return path
+    return files.save_figure(figure, path)
 
 
 def _panel(axes: Axes, data: Sequence[Datum]) -> None:
@@ -50,20 +50,11 @@ def _panel(axes: Axes, data: Sequence[Datum]) -> None:
     for name, colour in LOOKS.items():
         own = [d for d in data if d.interface == name]
         axes.plot([d.time for d in own], [d.error for d in own], "o", color=colour, markersize=4, alpha=0.35, mew=0)
-        front = _front(own)
+        best = pareto.front(own, lambda d: (d.time, d.error))
         line = {"color": colour, "marker": "o", "markersize": 4.5, "linewidth": 1.8}
-        axes.step([d.time for d in front], [d.error for d in front], where="post", **line)
+        axes.step([d.time for d in best], [d.error for d in best], where="post", **line)
         default = [d for d in own if d.parameter == Parameter.DEFAULT.value]
         axes.plot([d.time for d in default], [d.error for d in default], "*", color=colour, markersize=12)
-
-
-def _front(data: Sequence[Datum]) -> list[Datum]:
-    """Data than which no other one is both faster and more accurate, from the fastest on."""
-    front: list[Datum] = []
-    for datum in sorted(data, key=lambda d: (d.time, d.error)):
-        if not front or datum.error < front[-1].error:
-            front.append(datum)
-    return front
 
 
 def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:

@@ -104,9 +104,9 @@ def on_corner(factor: int) -> Shape:
     return turned(cube(0.8, (n, n, n), "xyz"), frame, np.array([0.0, 0.0, 0.01]))
 
 
-def slider(width: float, elements: int, start: float, deep: float = 0.25) -> Shape:
+def slider(width: float, elements: int, start: float) -> Shape:
     """A block with its lower face at z = 0, from x = `start` (mm)."""
-    body = box((start, 0.0, 0.0), (start + width, deep, 0.5), (elements, 1, elements))
+    body = box((start, 0.0, 0.0), (start + width, 0.25, 0.5), (elements, 1, elements))
     return Shape(body, faces(body, "z", 0.0), np.unique(faces(body, "z", 0.5)))
 
 

@@ -74,8 +74,7 @@ def _write(found: list[Outcome], stamp: Stamp, folder: Path) -> None:
 def _write_docs(found: list[Outcome], stamp: Stamp) -> None:
     files.write_csv(found, Outcome, DATA / page.SOURCE, stamp)
     heat_map.draw(found, DOCS / page.PICTURE)
-    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
-    console.print(f"Written: {DOCS / page.PAGE.name}")
+    console.print(f"Written: {page.PAGE.write()}")
 
 
 def hard_case(

@@ -6,11 +6,11 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
+from studies import files
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.outcomes import End, Outcome, arranged
 
@@ -81,7 +81,6 @@ Row = Mapping[str, Outcome]
 
 def draw(outcomes: Sequence[Outcome], path: Path) -> Path:
     """Draw how runs ended: a row for each case and mesh under the name of its group, a column for each interface."""
-    mpl.use("Agg")
     groups = ordered(arranged(outcomes))
     lines = sum(1 + len(rows) for rows in groups.values())
     width, height = LABEL + CELL * len(COLUMNS), ROW * (lines + 4)
@@ -100,8 +99,7 @@ def draw(outcomes: Sequence[Outcome], path: Path) -> Path:
             place += 1
     handles = [Patch(facecolor=colour, edgecolor="black", label=end.value) for end, (colour, _) in LOOKS.items()]
     figure.legend(handles=handles, loc="lower center", ncols=2, fontsize=10, frameon=False, handlelength=1.2)
-    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
-    return path
+    return files.save_figure(figure, path)
 
 
 def ordered(rows: Mapping[tuple[str, str], Row]) -> dict[str, dict[str, Row]]:

@@ -94,7 +94,6 @@ class Press:
         Concentration of each solute at the start, mM; without it none.
     newton : float
         Newton's relative tolerances.
-    module : str
     penalties : float
         Factor on all penalties.
     augmented : float, optional
@@ -122,7 +121,6 @@ class Press:
     above: tuple[float, ...] = (0.0,)
     initial: tuple[float, ...] = ()
     newton: float = NEWTON
-    module: str = "multiphasic"
     penalties: float = 1.0
     augmented: float | None = None
     extra: tuple[Param, ...] = field(default=())
@@ -147,10 +145,10 @@ class Press:
         )
         same = self.lower == self.upper
         materials = {"lower": self.lower, "upper": self.lower if same else self.upper}
-        joined = interface.contacts(self.module, made, self.extra, self.penalties, self.augmented)
+        joined = interface.contacts("multiphasic", made, self.extra, self.penalties, self.augmented)
         text = f"Hard case {self.name}: two confined blocks, the upper one moved down."
         model = Model(
-            self.name, text, self.module, made, materials, conditions, control, joined, (Curve(self.path), steps)
+            self.name, text, "multiphasic", made, materials, conditions, control, joined, (Curve(self.path), steps)
         )
         return finished(model, interface)
 

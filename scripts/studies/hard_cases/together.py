@@ -9,11 +9,18 @@ from scipy.optimize import brentq
 
 from harness.models.document import Model
 from harness.models.mesh import Box, Ids, Layer, Mesh, Part, assemble, conforming_column
-from harness.models.parts import Curve, Param, Solid, displace, fix, normal_load
+from harness.models.parts import Curve, Solid, displace, fix, normal_load
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import HOLD, RAMP, ambient_at, stress, stretches
 from studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
+
+SHORTENING = 0.05
+"""Of a block and the slab of `Seesaw`, mm."""
+GAP, LOAD = 0.02, 0.03
+"""Of `Dropped`, mm and MPa."""
+CUSHION = Solid(0.01)
+"""The regularisation of `Dropped`: 1 mm of it."""
 
 
 @dataclass(frozen=True)
@@ -23,36 +30,29 @@ class Seesaw:
     Attributes
     ----------
     left, right : tuple of (float, float)
-        Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `shortening`, below 0 is open.
-    shortening : float
-        mm.
-    own : tuple of Param
-        Further parameters of the plugin's interface alone.
+        Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `SHORTENING`, below 0 is open.
     """
 
     left: tuple[tuple[float, float], ...]
     right: tuple[tuple[float, float], ...]
-    shortening: float = 0.05
-    times: tuple[float, ...] = (*RAMP, *HOLD)
-    own: tuple[Param, ...] = ()
     name: str = "seesaw"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         """The model, laterally confined."""
         made = self._mesh(mesh)
-        control, steps = timed(self.times, 3)
+        control, steps = timed((*RAMP, *HOLD), 3)
         conditions = (
             fix("all", "xy"),
             fix("slab-bottom", "z"),
-            displace("left-top", "z", -self.shortening, 1),
-            displace("right-top", "z", -self.shortening, 2),
+            displace("left-top", "z", -SHORTENING, 1),
+            displace("right-top", "z", -SHORTENING, 2),
             *ambient_at("slab-bottom", (1.0,)),
             *ambient_at("left-top", (0.0,)),
             *ambient_at("right-top", (0.0,)),
         )
         text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
-        joined = interface.contacts("multiphasic", made, self.own if interface.ours else ())
+        joined = interface.contacts("multiphasic", made)
         model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
         return finished(model, interface)
 
@@ -69,7 +69,7 @@ class Seesaw:
 
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Force of both blocks at the end: that of the closed form where both press, else none on the open one."""
-        exact = -stress(GEL.solid, stretches(GEL.solid, GEL.solid, self.shortening)[0])
+        exact = -stress(GEL.solid, stretches(GEL.solid, GEL.solid, SHORTENING)[0])
         measures = []
         for name, path in (("left", self.left), ("right", self.right)):
             top = run.model.mesh.node_sets[f"{name}-top"] - 1
@@ -85,21 +85,8 @@ class Seesaw:
 
 @dataclass(frozen=True)
 class Dropped:
-    """A block that a load alone moves; until it touches, a soft cushion between it and a ceiling holds it.
+    """A block that a load alone moves; until it touches, a soft cushion between it and a ceiling holds it."""
 
-    Attributes
-    ----------
-    gap : float
-        mm.
-    load : float
-        MPa.
-    cushion : Solid
-        The regularisation: 1 mm of it.
-    """
-
-    gap: float = 0.02
-    load: float = 0.03
-    cushion: Solid = Solid(0.01)
     name: str = "dropped"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -112,9 +99,9 @@ class Dropped:
             fix("ceiling", "z"),
             *ambient_at("lower-bottom", (1.0,)),
             *ambient_at("ceiling", (0.0,)),
-            normal_load("loaded", self.load, 1),
+            normal_load("loaded", LOAD, 1),
         )
-        materials = {"gel": GEL, "cushion": replace(GEL, solid=self.cushion)}
+        materials = {"gel": GEL, "cushion": replace(GEL, solid=CUSHION)}
         curves = (Curve(((0.0, 0.0), (RAMP[-1], 1.0))), steps)
         text = f"Hard case {self.name}: a block that a load moves."
         joined = interface.contacts("multiphasic", made)
@@ -126,7 +113,7 @@ class Dropped:
         thick = 3 if mesh is Fineness.COARSE else 5
         below = assemble([Box("lower", "gel", (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (1, 1, thick))])
         layers = [Layer("upper", "gel", 1.0, thick), Layer("cushion", "cushion", 1.0, thick)]
-        above = conforming_column(layers, bottom=1.0 + self.gap)
+        above = conforming_column(layers, bottom=1.0 + GAP)
         offset = len(below.nodes)
         shifted = tuple(Part(part.name, part.material, part.elements + offset) for part in above.parts)
         sets = {"all": np.arange(1, offset + len(above.nodes) + 1), "lower-bottom": below.node_sets["lower-bottom"]}
@@ -148,9 +135,9 @@ class Dropped:
 
         def balance(shortening: float) -> float:
             pressed = stress(GEL.solid, stretches(GEL.solid, GEL.solid, shortening)[0])
-            return self.load + pressed - stress(self.cushion, 1.0 + self.gap + shortening)
+            return LOAD + pressed - stress(CUSHION, 1.0 + GAP + shortening)
 
-        exact = self.gap + float(brentq(balance, 1e-9, 0.5))
+        exact = GAP + float(brentq(balance, 1e-9, 0.5))
         loaded = np.unique(run.model.mesh.surfaces["loaded"]) - 1
         way = -run.nodes["uz"][-1, loaded]
         return [Measure("way of the block, relative error", float(np.max(np.abs(way / exact - 1.0))), 2e-3)]

@@ -16,6 +16,10 @@ from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
 SOLID = Solid(1.0, 0.49)
+SHORTENING = 0.1
+"""Of both blocks, mm."""
+TIMES = (2e-3, *(2e-3 * 10.0 ** (k / 2) for k in range(1, 17)))
+"""Ends of the time steps, s."""
 OVERLAP = 2.0**-10
 """mm at the start: surfaces that touch without one may count as open or closed, which the pressure depends on."""
 
@@ -39,23 +43,21 @@ def drained(solid: Solid, stretch: float) -> float:
 class Uniaxial:
     """A quarter of two blocks of 1 mm with lubricated ends, shortened within a millionth of the diffusion time."""
 
-    shortening: float = 0.1
-    times: tuple[float, ...] = (2e-3, *(2e-3 * 10.0 ** (k / 2) for k in range(1, 17)))
     name: str = "uniaxial"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         """The model; sides and ends are impermeable to the solute, which is nowhere, and the ends drain."""
         made = self._mesh(mesh)
-        control, steps = timed(self.times, 2, 1e-3 * NEWTON)
+        control, steps = timed(TIMES, 2, 1e-3 * NEWTON)
         conditions = (
             fix("x0", "x"),
             fix("y0", "y"),
             fix("lower-bottom", "z"),
-            displace("upper-top", "z", OVERLAP - self.shortening, 1),
+            displace("upper-top", "z", OVERLAP - SHORTENING, 1),
             *ambient_at("lower-bottom", (0.0,)),
             *ambient_at("upper-top", (0.0,)),
         )
-        load = Curve(((0.0, 0.0), (self.times[0], 1.0)))
+        load = Curve(((0.0, 0.0), (TIMES[0], 1.0)))
         gel = replace(GEL, solid=SOLID)
         joined = interface.contacts("multiphasic", made)
         text = f"Hard case {self.name}: two nearly incompressible blocks, pressed together at once."
@@ -79,7 +81,7 @@ class Uniaxial:
         """Force at the end against uniaxial stress, and that the undrained blocks were stiffer."""
         top = run.model.mesh.node_sets["upper-top"] - 1
         force = run.nodes["Rz"][:, top].sum(axis=1)
-        exact = -drained(SOLID, 1.0 - self.shortening / 2.0)
+        exact = -drained(SOLID, 1.0 - SHORTENING / 2.0)
         return [
             Measure("force at the end, relative error", abs(float(force[-1]) / exact - 1.0), 5e-3),
             Measure("force at the end over the first, both pressing", float(force[-1] / force[1]), 1.0, lowest=0.1),

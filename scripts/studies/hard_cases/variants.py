@@ -58,9 +58,9 @@ def turned_back(values: Array, columns: tuple[str, ...]) -> Array:
     return found
 
 
-def renumbered(model: Model, seed: int = 1) -> tuple[Model, Ids]:
+def renumbered(model: Model) -> tuple[Model, Ids]:
     """Nodes in a random order, and for each node of the original its index (from 0) in that order."""
-    order = np.random.default_rng(seed).permutation(len(model.mesh.nodes))
+    order = np.random.default_rng(1).permutation(len(model.mesh.nodes))
     place = np.argsort(order)
     mesh = model.mesh
 

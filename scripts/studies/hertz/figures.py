@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from studies import files
 from studies.hertz import elastic_profiles
 from studies.hertz.elastic_profiles import ProfileRow
 from studies.hertz.growth_records import LINES, SPHERES, Record
@@ -30,9 +31,7 @@ def draw(rows: Sequence[Record], path: Path) -> Path:
         _panel(right, rows, problems, ("peak", 1e3))
         right.set_ylabel("peak pressure [kPa]")
         left.legend(fontsize=8, frameon=False, loc="lower right")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Date": None})
-    return path
+    return files.save_figure(figure, path)
 
 
 def draw_elastic(rows: Sequence[ProfileRow], path: Path) -> Path:
@@ -43,9 +42,7 @@ def draw_elastic(rows: Sequence[ProfileRow], path: Path) -> Path:
         axes.set_title(f"{problem} on a block", fontsize=10)
         axes.set_xlabel("distance from the middle / its half-width or radius [-]")
     figure.axes[0].set_ylabel("pressure / peak pressure [-]")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, metadata={"Date": None})
-    return path
+    return files.save_figure(figure, path)
 
 
 def _profiles(axes: Axes, rows: Sequence[ProfileRow]) -> None:

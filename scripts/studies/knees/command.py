@@ -51,4 +51,4 @@ def knee(
     if docs:
         files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
         for each in page.PAGES:
-            (DOCS / each.name).write_text(each(), encoding="utf-8")
+            each.write()

@@ -102,7 +102,7 @@ def refined(even: float, size: float, length: float, ratio: float) -> NDArray[np
     return np.concatenate([first[:-1], even + graded(length - even, number, ratio)])
 
 
-def box(low: tuple[float, float, float], high: tuple[float, float, float], elements: tuple[int, int, int]) -> Body:
+def box(low: Sequence[float], high: Sequence[float], elements: Sequence[int]) -> Body:
     """A box between two corners (mm)."""
     return tensor([np.linspace(a, b, n + 1) for a, b, n in zip(low, high, elements, strict=True)])
 

@@ -58,14 +58,12 @@ class BiphasicHertz(ABC):
 
     Attributes
     ----------
-    interface : InterfaceType
     draining : bool
         Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable.
     across, through : int
         Elements along the modelled half-width or radius and through each layer.
     """
 
-    interface: InterfaceType = InterfaceType.MIXTURE
     draining: bool = False
     across: int = 72
     through: int = 3
@@ -131,13 +129,13 @@ class BiphasicHertz(ABC):
         steps = Curve(tuple(zip(times.tolist(), np.diff(times, prepend=0.0).tolist(), strict=True)), "STEP")
         return Model(
             self.name,
-            header(self.name, self.about, self.interface),
+            header(self.name, self.about, InterfaceType.MIXTURE),
             "biphasic",
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE, "bone": Rigid()},
             conditions,
             self._control(times),
-            contacts(self.interface, mesh, self.settings),
+            contacts(InterfaceType.MIXTURE, mesh, self.settings),
             (self.load, steps),
             surface_columns=("contact_force.y", "contact area"),
             facet_columns=("contact pressure",),

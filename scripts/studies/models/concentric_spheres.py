@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, default_settings, header
+from harness.models.interface import InterfaceType, default_settings, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Contact, Control, Curve, Elastic, Solid, TimeStepper, displace, fix
 from studies.models import spherical_shells
@@ -41,9 +41,6 @@ class ConcentricSpheres:
     through : int
         Elements through each shell.
     steps : int
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Of the contact between the shells; default settings with friction without it.
     name : str
     """
 
@@ -51,8 +48,6 @@ class ConcentricSpheres:
     elements: int = 8
     through: int = 3
     steps: int = 90
-    interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
     name: str = "concentric-spheres"
 
     def model(self) -> Model:
@@ -61,7 +56,7 @@ class ConcentricSpheres:
         stepper = TimeStepper(1.0, retries=10, optimal_iterations=15, aggressive=True)
         return Model(
             self.name,
-            header(self.name, ABOUT, self.interface),
+            header(self.name, ABOUT, InterfaceType.MIXTURE),
             "solid",
             mesh,
             {"inner": Elastic(SOLID), "outer": Elastic(SOLID), "floor": Elastic(SOLID), "lid": Elastic(SOLID)},
@@ -81,10 +76,10 @@ class ConcentricSpheres:
         )
 
     def _contacts(self) -> tuple[Contact, ...]:
-        shells = self.settings or with_friction(self.interface, self.friction)
-        smooth = default_settings(self.interface).params()
-        planes = (Contact(self.interface.value, pair, smooth) for pair in ("top", "bottom"))
-        return (Contact(self.interface.value, "shells", shells.params()), *planes)
+        shells = with_friction(InterfaceType.MIXTURE, self.friction)
+        smooth = default_settings(InterfaceType.MIXTURE).params()
+        planes = (Contact(InterfaceType.MIXTURE.value, pair, smooth) for pair in ("top", "bottom"))
+        return (Contact(InterfaceType.MIXTURE.value, "shells", shells.params()), *planes)
 
     def _mesh(self) -> Mesh:
         bodies = {

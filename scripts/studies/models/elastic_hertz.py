@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
-from harness.models.interface import InterfaceType, contacts, default_settings, header
+from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
@@ -44,13 +44,10 @@ class ElasticHertz:
     ----------
     elements : int
         Over the radius of the contact.
-    interface : InterfaceType
-        With its default settings.
     name : str
     """
 
     elements: int = 5
-    interface: InterfaceType = InterfaceType.MIXTURE
     name: str = "elastic-hertz"
 
     def model(self) -> Model:
@@ -58,7 +55,7 @@ class ElasticHertz:
         mesh = self._mesh()
         return Model(
             self.name,
-            header(self.name, ABOUT, self.interface),
+            header(self.name, ABOUT, InterfaceType.MIXTURE),
             "solid",
             mesh,
             {"block": Elastic(SOLID), "sphere": Elastic(SOLID)},
@@ -70,7 +67,7 @@ class ElasticHertz:
                 displace("sphere-outside", "z", -APPROACH, 1),
             ),
             Control(STEPS, 1.0, displacement_tolerance=1e-6, energy_tolerance=1e-9, reformations=40),
-            contacts(self.interface, mesh, default_settings(self.interface)),
+            contacts(InterfaceType.MIXTURE, mesh, None),
             (Curve(((0.0, 0.0), (float(STEPS), 1.0))),),
             further_columns=("Rz",),
             facet_columns=("contact pressure",),

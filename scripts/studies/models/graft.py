@@ -65,9 +65,6 @@ class Graft:
 
     Attributes
     ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
     around : int
         Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many.
     outward, up : int
@@ -75,19 +72,16 @@ class Graft:
     control : Control
     """
 
-    interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings = ContactSettings()
     around: int = 4
     outward: int = 7
     up: int = 5
     control: Control = Control(60, 50.0)
-    name: str = "graft"
     plot: bool = False
 
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        settings = replace(self.settings, extra=(*self.settings.extra, *ambient(AMBIENT_PRESSURE, CONCENTRATION)))
+        settings = ContactSettings(extra=ambient(AMBIENT_PRESSURE, CONCENTRATION))
         conditions = (
             fix("symmetry-x", "x"),
             fix("symmetry-y", "y"),
@@ -99,14 +93,14 @@ class Graft:
             initial_pressure("host", AMBIENT_PRESSURE),
         )
         return Model(
-            self.name,
-            header(self.name, ABOUT, self.interface),
+            "graft",
+            header("graft", ABOUT, InterfaceType.MIXTURE),
             UNCLAMPED.module,
             mesh,
             {"host": HOST, "graft": GRAFT},
             conditions,
             replace(self.control, solver=UNCLAMPED.solver),
-            contacts(self.interface, mesh, settings),
+            contacts(InterfaceType.MIXTURE, mesh, settings),
             plot=self.plot,
         )
 

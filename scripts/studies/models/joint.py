@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
@@ -43,8 +43,8 @@ LEAST, MOST = 0.05, 0.15
 """mm by which the upper bone approaches over a cycle."""
 GROWTH = 1.25
 """Of the elements of a layer, from the surface of the joint to the bone."""
-PERIOD = 20.0
-"""s."""
+PERIOD, STEPS = 20.0, 20
+"""Of a cycle: s, and number of time steps."""
 AMBIENT = 1.0
 """Concentration of the synovial fluid, mM, reached at the end of the first cycle."""
 CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),))
@@ -90,21 +90,13 @@ class Joint:
 
     Attributes
     ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
     cycles : int
-    steps : int
-        Time steps in a cycle.
     across, through : int
         Elements along the half-width and through the thickness of each layer.
     source : Source
     """
 
-    interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings = ContactSettings()
     cycles: int = 10
-    steps: int = 20
     across: int = 24
     through: int = 8
     source: Source = Source.FLUID
@@ -122,16 +114,16 @@ class Joint:
             displace("upper-bone", "y", -MOST, LOADING),
             *self._filled(),
         )
-        settings = replace(self.settings, extra=(*self.settings.extra, *self._outside()))
+        settings = ContactSettings(extra=self._outside())
         return Model(
             self.name,
-            header(self.name, self.source.value, self.interface),
+            header(self.name, self.source.value, InterfaceType.MIXTURE),
             UNCLAMPED.module,
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
             conditions,
-            Control(self.cycles * self.steps, PERIOD / self.steps, reformations=25, solver=UNCLAMPED.solver),
-            contacts(self.interface, mesh, settings),
+            Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED.solver),
+            contacts(InterfaceType.MIXTURE, mesh, settings),
             self._curves(),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),
@@ -181,7 +173,7 @@ class Joint:
 
     def _loading(self) -> Curve:
         """Approach of the bone, relative to `MOST`: from 0 to the least in half a cycle, then up and down."""
-        time = PERIOD / self.steps * np.arange(self.steps // 2, self.cycles * self.steps + 1)
+        time = PERIOD / STEPS * np.arange(STEPS // 2, self.cycles * STEPS + 1)
         approach = LEAST + (MOST - LEAST) * 0.5 * (1.0 + np.cos(2.0 * np.pi * time / PERIOD))
         return Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
 

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from harness.models.interface import ContactSettings
-from harness.models.layered import Layered, one_above_the_other
-from harness.models.mesh import Layer
+from harness.models.layered import Layered
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
     Condition,
     Control,
-    Material,
     Mixture,
     Param,
     Solid,
@@ -71,28 +70,18 @@ class Membrane(Layered):
     faces: Faces = FACES
     enforcement: tuple[Param, ...] = ()
 
+    ABOUT = ABOUT
+    MATERIALS: ClassVar = {
+        name: Mixture(Solid(10.0), k, phi, (Solute(1, d, d),))
+        for name, k, phi, d in zip(("first", "second"), PERMEABILITIES, POROSITIES, DIFFUSIVITIES, strict=True)
+    }
+    COLUMN = (("lower", "first", THICKNESSES[0]), ("upper", "second", THICKNESSES[1]))
+    LOGGED = ("wz", "jz")
+
     def __post_init__(self) -> None:
         if self.settings is None:
             extra = (*film_params(self.film, sol="1"), *self.enforcement)
             object.__setattr__(self, "settings", ContactSettings(extra=extra))
-
-    @property
-    def about(self) -> str:
-        """What the model shows."""
-        return ABOUT
-
-    @property
-    def materials(self) -> dict[str, Material]:
-        """One of each layer."""
-        return {
-            name: Mixture(Solid(10.0), k, phi, (Solute(1, d, d),))
-            for name, k, phi, d in zip(("first", "second"), PERMEABILITIES, POROSITIES, DIFFUSIVITIES, strict=True)
-        }
-
-    @property
-    def layers(self) -> list[Layer]:
-        """The first below, the second above."""
-        return one_above_the_other(THICKNESSES, self.elements)
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
@@ -105,11 +94,6 @@ class Membrane(Layered):
                 for face, value in zip(("bottom", "top"), self.faces.concentrations, strict=True)
             ),
         )
-
-    @property
-    def element_columns(self) -> tuple[str, ...]:
-        """Fluxes of solvent and solute."""
-        return ("wz", "jz") if self.module_used == "solute" else ("wz", "j1z")
 
     def closed_form(self) -> Steady:
         """The steady state."""

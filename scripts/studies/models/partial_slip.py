@@ -56,17 +56,14 @@ class PartialSlip:
     ----------
     elements : int
         Over half the width of the contact.
-    interface : InterfaceType
     settings : ContactSettings, optional
         Default settings with friction without it.
     name : str
     """
 
     elements: int = 10
-    interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
     name: str = "partial-slip"
-    plot: bool = False
 
     def model(self) -> Model:
         """The model of these choices."""
@@ -76,7 +73,7 @@ class PartialSlip:
         shear = Curve(((0.0, 0.0), (float(PRESSING), 0.0), (float(steps), 1.0)))
         return Model(
             self.name,
-            header(self.name, ABOUT, self.interface),
+            header(self.name, ABOUT, InterfaceType.MIXTURE),
             "solid",
             mesh,
             {"block": Elastic(SOLID), "cylinder": Elastic(SOLID)},
@@ -87,11 +84,10 @@ class PartialSlip:
                 displace("cylinder-outside", "x", SHIFT, 2),
             ),
             Control(steps, 1.0, displacement_tolerance=1e-6, energy_tolerance=1e-9, reformations=40),
-            contacts(self.interface, mesh, self.settings or with_friction(self.interface, FRICTION)),
+            contacts(InterfaceType.MIXTURE, mesh, self.settings or with_friction(InterfaceType.MIXTURE, FRICTION)),
             (press, shear),
-            plot=self.plot,
             further_columns=("Rx", "Rz"),
-            facet_columns=("contact pressure", *FRICTION_COLUMNS) if self.interface is InterfaceType.MIXTURE else (),
+            facet_columns=("contact pressure", *FRICTION_COLUMNS),
         )
 
     def _mesh(self) -> Mesh:

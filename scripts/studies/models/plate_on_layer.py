@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, contacts, header
+from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
     Control,
@@ -33,6 +33,8 @@ PERMEABILITY = 1e-3
 LOAD = 1e-4
 """P0, MPa; small, so that strains are. The area is 1 mm^2."""
 FRICTION = 0.2
+ELEMENTS = 20
+"""Through the thickness of the layer."""
 OVERLAP = 1e-9
 """mm by which the plate overlaps the layer at first, so that the load finds it in contact."""
 WAY = 2.0
@@ -62,32 +64,24 @@ class PlateOnLayer:
     ----------
     solid_fraction : float
         phi, the fraction of the contact that is solid on solid.
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings with friction without it.
     layer_is_primary : bool
-    elements : int
-        Through the thickness.
     name : str
     """
 
     solid_fraction: float = 0.1
-    interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
     layer_is_primary: bool = True
-    elements: int = 20
     name: str = "plate-on-layer"
     plot: bool = False
 
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        settings = self.settings or with_friction(self.interface, FRICTION, solid_fraction=self.solid_fraction)
+        settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
         load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
         slide = Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
         return Model(
             self.name,
-            header(self.name, ABOUT, self.interface),
+            header(self.name, ABOUT, InterfaceType.MIXTURE),
             "biphasic",
             mesh,
             {"layer": Mixture(Solid(MODULUS), PERMEABILITY), "plate": Rigid()},
@@ -101,7 +95,7 @@ class PlateOnLayer:
                 push_rigid("plate", "z", -LOAD, 1),
             ),
             _control(),
-            contacts(self.interface, mesh, settings),
+            contacts(InterfaceType.MIXTURE, mesh, settings),
             (load, slide, Curve(tuple((time, TIMES[-1]) for time in TIMES), "STEP")),
             plot=self.plot,
             further_columns=("Rx", "Rz"),
@@ -109,7 +103,7 @@ class PlateOnLayer:
 
     def _mesh(self) -> Mesh:
         """The plate is so long that it covers the layer all the way."""
-        heights = np.linspace(0.0, HEIGHT, self.elements + 1)
+        heights = np.linspace(0.0, HEIGHT, ELEMENTS + 1)
         ends = np.array([0.0, 1.0])
         bodies = {
             "layer": tensor([ends, ends, heights]),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
-from harness.models.mesh import Layer, Section
+from harness.models.interface import InterfaceType, contacts, header
+from harness.models.mesh import Layer, split_column
 from harness.models.parts import (
     GAS_CONSTANT,
     TEMPERATURE,
@@ -53,21 +53,13 @@ class Platens:
 
     Attributes
     ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
     elements : int
         Through the sample; a platen has a fifth of it.
     control : Control
-    section : Section
     """
 
-    interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
     elements: int = 20
     control: Control = Control(120, 25.0)
-    section: Section = Section()
-    name: str = "platens"
     plot: bool = False
 
     def model(self) -> Model:
@@ -78,7 +70,7 @@ class Platens:
             Layer("sample", "tissue", SAMPLE, self.elements),
             Layer("permeable", "porous", PLATEN, few),
         ]
-        mesh = column(self.interface, layers, bottom=-PLATEN, section=self.section, gap=-OVERLAP)
+        mesh = split_column(layers, bottom=-PLATEN, gap=-OVERLAP)
         conditions = (
             fix("all", "xy"),
             fix("bottom", "z"),
@@ -87,14 +79,14 @@ class Platens:
             concentration("top", AMBIENT, 1),
         )
         return Model(
-            self.name,
-            header(self.name, ABOUT, self.interface),
-            self.interface.module,
+            "platens",
+            header("platens", ABOUT, InterfaceType.MIXTURE),
+            InterfaceType.MIXTURE.module,
             mesh,
             {"steel": STEEL, "tissue": TISSUE, "porous": POROUS},
             conditions,
             self.control,
-            contacts(self.interface, mesh, self.settings),
+            contacts(InterfaceType.MIXTURE, mesh, None),
             (Curve(((0.0, 0.0), (RAMP, 1.0))),),
             plot=self.plot,
             further_columns=("Rz",),

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, contacts, header
+from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Mixture, Solid, TimeStepper, displace, fix
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor
@@ -21,6 +21,8 @@ THICKNESS = 1.0
 """Of each layer, mm."""
 HALF_WIDTHS = {"upper": 3.0, "lower": 3.6}
 """mm."""
+ACROSS, THROUGH = 48, 6
+"""Elements along the width and through the thickness of each layer."""
 DEPTH = 0.25
 """mm, thickness of the plane problem."""
 GROWTH = 1.3
@@ -46,34 +48,19 @@ therefore begins at the edges and moves inwards, until the whole contact slides.
 
 @dataclass(frozen=True)
 class SlidingJoint:
-    """Choices of the sliding joint.
+    """The sliding joint, without or with a plot file."""
 
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings with friction without it.
-    across, through : int
-        Elements along the width and through the thickness of each layer.
-    name : str
-    """
-
-    interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
-    across: int = 48
-    through: int = 6
-    name: str = "sliding-joint"
     plot: bool = False
 
     def model(self) -> Model:
         """The model of these choices."""
         mesh = self._mesh()
-        given = with_friction(self.interface, FRICTION, solid_fraction=SOLID_FRACTION)
+        given = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=SOLID_FRACTION)
         press = Curve(((0.0, 0.0), (PRESSED, 1.0)))
         slide = Curve(((0.0, 0.0), (DRAINED, 0.0), (END, 1.0)))
         return Model(
-            self.name,
-            header(self.name, ABOUT, self.interface),
+            "sliding-joint",
+            header("sliding-joint", ABOUT, InterfaceType.MIXTURE),
             "biphasic",
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
@@ -84,11 +71,11 @@ class SlidingJoint:
                 displace("upper-bone", "x", WAY, 2),
             ),
             _control(),
-            contacts(self.interface, mesh, self.settings or given),
+            contacts(InterfaceType.MIXTURE, mesh, given),
             (press, slide, Curve(tuple((time, END) for time in times()), "STEP")),
             plot=self.plot,
             further_columns=("Rx", "Ry"),
-            facet_columns=FACET_COLUMNS if self.interface is InterfaceType.MIXTURE else (),
+            facet_columns=FACET_COLUMNS,
         )
 
     def _mesh(self) -> Mesh:
@@ -104,8 +91,8 @@ class SlidingJoint:
 
     def _layer(self, name: str, up: float) -> Body:
         """A flat layer above (1) or below (-1) y = 0."""
-        x = np.linspace(-HALF_WIDTHS[name], HALF_WIDTHS[name], self.across + 1)
-        return tensor([x, up * graded(THICKNESS, self.through, GROWTH), np.array([0.0, DEPTH])])
+        x = np.linspace(-HALF_WIDTHS[name], HALF_WIDTHS[name], ACROSS + 1)
+        return tensor([x, up * graded(THICKNESS, THROUGH, GROWTH), np.array([0.0, DEPTH])])
 
 
 def times() -> tuple[float, ...]:

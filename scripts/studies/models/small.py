@@ -5,18 +5,19 @@ What the builders of the harness have no words for. Numbers are in mm, N, s.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
+from harness.models import blocks
+from harness.models.blocks import FACES, Body
 from harness.models.parts import FARADAY
+from studies.models import assembly
 
-HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 SIDES = ("bottom", "top", "front", "right", "back", "left")
-"""Names of a box's sides, in the order of `HEX_FACES`: -z, +z, -y, +x, +y, -x."""
+"""Names of a box's sides, in the order of `FACES`: -z, +z, -y, +x, +y, -x."""
 
 
 def _text(numbers: Iterable[float]) -> str:
@@ -46,16 +47,13 @@ class Parts:
 
     def box(self, name: str, low: Sequence[float], high: Sequence[float], cells: Sequence[int], material: str) -> None:
         """A box of hex8; its sides are the surfaces and node sets `name`-bottom, ..."""
-        axes = [np.linspace(a, b, n + 1) for a, b, n in zip(low, high, cells, strict=True)]
-        points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-        number = len(self.nodes) + 1 + np.arange(points[..., 0].size).reshape(points.shape[:3])
-        self.nodes += [tuple(point) for point in points.reshape(-1, 3)]
-        a, b = slice(None, -1), slice(1, None)
-        corners = [number[i, j, k] for k in (a, b) for i, j in ((a, a), (b, a), (b, b), (a, b))]
-        elements = np.stack([corner.ravel() for corner in corners], axis=1)
+        body = assembly.box(low, high, cells)
+        elements = body.elements + len(self.nodes) + 1
+        number = len(self.nodes) + 1 + np.arange(len(body.nodes)).reshape([n + 1 for n in cells])
+        self.nodes += [tuple(point) for point in body.nodes]
         self.parts.append(Part(name, material, "hex8", [tuple(map(int, ids)) for ids in elements]))
         ends = (number[:, :, 0], number[:, :, -1], number[:, 0], number[-1], number[:, -1], number[0])
-        for side, face, on_side in zip(SIDES, HEX_FACES, ends, strict=True):
+        for side, face, on_side in zip(SIDES, FACES, ends, strict=True):
             here = set(map(int, on_side.ravel()))
             facets = [tuple(int(ids[a]) for a in face) for ids in elements]
             self.surfaces[f"{name}-{side}"] = [facet for facet in facets if here.issuperset(facet)]
@@ -93,9 +91,8 @@ class Parts:
     def outside(self, name: str) -> list[tuple[int, ...]]:
         """The faces of a part of hex8 that one element alone has."""
         part = next(part for part in self.parts if part.name == name)
-        faces = [tuple(ids[a] for a in face) for ids in part.elements for face in HEX_FACES]
-        count = Counter(tuple(sorted(face)) for face in faces)
-        return [face for face in faces if count[tuple(sorted(face))] == 1]
+        outer = blocks.boundary(Body(np.array(self.nodes), np.array(part.elements)))
+        return [tuple(map(int, facet)) for facet in outer]
 
     def facets_in(self, facets: Sequence[tuple[int, ...]], axis: int, value: float) -> list[tuple[int, ...]]:
         """Those in a plane."""
@@ -164,17 +161,17 @@ def rigid(name: str, number: int, extra: str = "") -> str:
     return f'<material id="{number}" name="{name}" type="rigid body">{inner}</material>'
 
 
-def biphasic(name: str, number: int, modulus: float = 1.0, permeability: float = 1e-3) -> str:
+def biphasic(name: str, number: int, modulus: float = 1.0) -> str:
     """A biphasic material with a neo-Hookean solid."""
     solid = f'<solid type="neo-Hookean"><density>1</density><E>{modulus}</E><v>0</v></solid>'
-    flow = f'<permeability type="perm-const-iso"><perm>{permeability}</perm></permeability>'
+    flow = '<permeability type="perm-const-iso"><perm>0.001</perm></permeability>'
     inner = f"<phi0>0.2</phi0><fluid_density>1e-9</fluid_density>{solid}{flow}"
     return f'<material id="{number}" name="{name}" type="biphasic">{inner}</material>'
 
 
 def fixed(nodes: str, *dofs: str) -> str:
-    """Displacements that are zero, of x, y, z."""
-    inner = "".join(f"<{dof}_dof>1</{dof}_dof>" for dof in dofs)
+    """Displacements that are zero, of x, y, z; all three where none is named."""
+    inner = "".join(f"<{dof}_dof>1</{dof}_dof>" for dof in dofs or "xyz")
     return f'<bc type="zero displacement" node_set="{nodes}">{inner}</bc>'
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
-from harness.models.interface import ContactSettings, InterfaceType, contacts, default_settings, header
+from harness.models.interface import InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace
 from studies.models import spherical_shells
@@ -27,6 +27,7 @@ TURN = 180.0
 """Degrees."""
 PRESSED, END = 10.0, 100.0
 """s."""
+TURNING_STEPS = 45
 ABOUT = """\
 A hollow hemisphere (radii 1 and 2/3 mm) is pressed by 1 mm into a block of 2 mm without friction, then turned by 180
 degrees with friction (mu = 0.5): example of Sauer and De Lorenzis (2015), Int J Numer Methods Eng 101(4):251-280, and
@@ -41,21 +42,12 @@ class TwistingHemisphere:
     ----------
     elements : int
         Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge.
-    through : int
-        Elements through the hemisphere's wall.
-    turning : int
-        Steps of turning.
     interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it; friction is added.
     name : str
     """
 
     elements: int = 6
-    through: int = 2
-    turning: int = 45
     interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
     name: str = "twisting-hemisphere"
 
     def model(self) -> Model:
@@ -66,7 +58,7 @@ class TwistingHemisphere:
         mesh = replace(mesh, node_sets=mesh.node_sets | grip)
         rubbing = Curve(((0.0, 0.0), (PRESSED, 0.0), (PRESSED + 1e-6, 1.0), (END, 1.0)))
         steps = Curve(tuple((time, END) for time in self.times), "STEP")
-        given = self.settings or default_settings(self.interface)
+        given = default_settings(self.interface)
         settings = replace(given, extra=(*given.extra, Param("fric_coeff", FRICTION, len(curves) + 1)))
         return Model(
             self.name,
@@ -84,7 +76,7 @@ class TwistingHemisphere:
     @property
     def times(self) -> tuple[float, ...]:
         """Ends of the steps, s: ten of pressing, then those of turning."""
-        turning = np.linspace(PRESSED, END, self.turning + 1)[1:]
+        turning = np.linspace(PRESSED, END, TURNING_STEPS + 1)[1:]
         return (*(PRESSED * k / 10.0 for k in range(1, 11)), *turning.tolist())
 
     def _control(self, must: int) -> Control:
@@ -115,7 +107,7 @@ class TwistingHemisphere:
 
     def _hemisphere(self) -> Body:
         """It touches z = SIDE."""
-        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, self.through + 1))
+        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, 3))
         return replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER]))
 
 

@@ -65,6 +65,12 @@ class EvidencePage:
         places = {"written": WRITTEN.format(self.template.relative_to(REPOSITORY)), "stamp": str(stamp)}
         return filled(text, {**places, **self.figures()})
 
+    def write(self) -> Path:
+        """Write the page, and return its path."""
+        path = DOCS / self.name
+        path.write_text(self(), encoding="utf-8")
+        return path
+
 
 def filled(text: str, figures: Mapping[str, str]) -> str:
     """A template with its places filled in; braces in code stay.

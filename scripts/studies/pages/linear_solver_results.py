@@ -9,8 +9,8 @@ from pathlib import Path
 
 from studies import tables
 from studies.pages import stamped_rows
+from studies.pages.stamped_rows import Stamped
 from studies.pages.texts import page_text
-from studies.stamps import Stamp
 
 PAGE = "reference/linear-solvers.md"
 DATA = Path("data", "linear-solvers.json")
@@ -92,26 +92,14 @@ class Trial:
         return (self.scene, self.enforcement, self.solver, self.preconditioner)
 
 
-@dataclass(frozen=True)
-class Results:
-    """The trials, and what the last of them were made with; others say their own FEBio and commit."""
-
-    stamp: Stamp
-    rows: list[Trial]
-
-
+Results = Stamped[Trial]
+"""The stamp is that of the last trials; others say their own FEBio and commit."""
 HEAD = page_text("linear-solvers")
 
 
 def read(path: Path) -> Results:
-    """Read what `write` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that holds no such results.
-    """
-    return Results(*stamped_rows.read(path, Trial, "linear-solvers"))
+    """Read what the command wrote, as `stamped_rows.read` does."""
+    return stamped_rows.read(path, Trial, "linear-solvers")
 
 
 def renewed(known: Sequence[Trial], made: Sequence[Trial]) -> list[Trial]:

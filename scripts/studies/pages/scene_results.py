@@ -10,8 +10,8 @@ from statistics import median
 
 from studies import tables
 from studies.pages import stamped_rows
+from studies.pages.stamped_rows import Stamped
 from studies.pages.texts import page_text
-from studies.stamps import Stamp
 
 PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
 DATA = Path("data", "synthetic-scenes.json")
@@ -114,23 +114,12 @@ class Row:
         return ", ".join(found)
 
 
-@dataclass(frozen=True)
-class Results:
-    """What the command found, and with what."""
-
-    stamp: Stamp
-    rows: list[Row]
+Results = Stamped[Row]
 
 
 def read(path: Path) -> Results:
-    """Read what `write` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that holds no such results.
-    """
-    return Results(*stamped_rows.read(path, _row, "synthetic-scenes --docs"))
+    """Read what the command wrote, as `stamped_rows.read` does."""
+    return stamped_rows.read(path, _row, "synthetic-scenes --docs")
 
 
 def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> Row:

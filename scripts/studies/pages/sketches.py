@@ -12,6 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
+from studies import files
+
 FOLDER = "images/sketches"
 DARK, MIDDLE, LIGHT = "#1d2f49", "#4f74a3", "#dfe7f0"
 BROWN, SAND, RED = "#8a5a2b", "#f0e6d8", "#b3261e"
@@ -22,21 +24,10 @@ ARROW = {"arrowstyle": "-|>", "color": DARK, "lw": 1.4}
 
 def draw(folder: Path) -> list[Path]:
     """Draw all of them below `folder`, as SVG."""
-    mpl.use("Agg")
     mpl.rcParams["svg.hashsalt"] = "sketches"
     goal = folder / FOLDER
-    goal.mkdir(parents=True, exist_ok=True)
-    return [
-        _saved(interface(), goal / "interface.svg"),
-        _saved(primary(), goal / "primary.svg"),
-        _saved(averages(), goal / "averages.svg"),
-        _saved(integration(), goal / "integration.svg"),
-    ]
-
-
-def _saved(figure: Figure, path: Path) -> Path:
-    figure.savefig(path, metadata={"Date": None})
-    return path
+    drawn = {"interface": interface(), "primary": primary(), "averages": averages(), "integration": integration()}
+    return [files.save_figure(figure, goal / f"{name}.svg") for name, figure in drawn.items()]
 
 
 def _figure(width: float, height: float) -> Figure:

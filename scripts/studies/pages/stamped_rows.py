@@ -4,27 +4,32 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import Generic, TypeVar
 
 from harness.errors import DataFileError
 from studies.stamps import Stamp
 
-if TYPE_CHECKING:
-    from _typeshed import DataclassInstance
-
 Row = TypeVar("Row")
 
 
-def write(results: DataclassInstance, path: Path) -> None:
-    """Write results that have a stamp and rows."""
+@dataclass(frozen=True)
+class Stamped(Generic[Row]):
+    """Rows of results, and what they were made with."""
+
+    stamp: Stamp
+    rows: list[Row]
+
+
+def write(results: Stamped[Row], path: Path) -> None:
+    """Write results, whose rows are dataclasses."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(asdict(results), indent=1) + "\n")
 
 
-def read(path: Path, row: Callable[..., Row], command: str) -> tuple[Stamp, list[Row]]:
-    """Read what `write` wrote: stamp and rows, each made by `row` from its entries.
+def read(path: Path, row: Callable[..., Row], command: str) -> Stamped[Row]:
+    """Read what `write` wrote; each row is made by `row` from its entries.
 
     Raises
     ------
@@ -33,6 +38,6 @@ def read(path: Path, row: Callable[..., Row], command: str) -> tuple[Stamp, list
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
-        return Stamp(**data["stamp"]), [row(**entries) for entries in data["rows"]]
+        return Stamped(Stamp(**data["stamp"]), [row(**entries) for entries in data["rows"]])
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise DataFileError(f"{path} holds no results ({error}); `{command}` writes it") from error

@@ -11,7 +11,7 @@ import typer
 from rich.console import Console
 from rich.progress import track
 
-from harness.paths import DOCS, RESULTS
+from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps
 from studies.hard_cases.scene import Fineness
@@ -48,8 +48,7 @@ def predictor(
     console.print(f"Written: {folder / 'predictor.md'}")
     if docs:
         files.write_csv(paired_models.runs(found), Took, DATA / page.SOURCE, stamps.stamp(limit))
-        (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
-        console.print(f"Written: {DOCS / page.PAGE.name}")
+        console.print(f"Written: {page.PAGE.write()}")
 
 
 def _wanted(name: str, only: list[str] | None) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from studies import tables
@@ -18,7 +17,6 @@ TASK_COLOURS = dict(zip(TASKS, ("#4c72b0", "#55a868", "#c44e52", "#dd8452", "#9a
 
 def draw(scenes: Mapping[str, Times], path: Path) -> Path:
     """Stacked bars of milliseconds per scene, by effect and by task, with the share of the run above each."""
-    mpl.use("Agg")
     figure = Figure(figsize=(11.0, 4.4), layout="constrained")
     left, right = figure.subplots(1, 2, sharey=True)
     for axes, parts, colours in (

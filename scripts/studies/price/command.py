@@ -34,8 +34,6 @@ class Part(str, Enum):
     """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
     MATRICES = "matrices"
     """FEBio's interface on the joints with its default matrix, which is symmetric, beside a non-symmetric one."""
-    ADDED = "added"
-    """Time added to the run of an body of 12 x 12 x 24 elements."""
 
 
 def price(
@@ -66,18 +64,13 @@ def price(
     if Part.EFFECTS in chosen:
         costs = effect_costs.measure(effects_added(), repetitions, tell)
         files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
-    for part, scenes in _compared().items():
-        if part in chosen:
-            prices = [price for scene in scenes for price in paired_runs.prices(scene, repetitions, tell)]
-            files.write_csv(prices, paired_runs.Price, folder / f"price-{part.value}.csv", stamp)
+    if Part.COMPARISON in chosen:
+        scenes = (Scene(kind, solutes=_solutes(kind)) for kind in Kind)
+        prices = [price for scene in scenes for price in paired_runs.prices(scene, repetitions, tell)]
+        files.write_csv(prices, paired_runs.Price, folder / page.COMPARISON, stamp)
     console.print(f"Written: {folder}")
     if docs:
         _write_docs(folder)
-
-
-def _compared() -> dict[Part, list[Scene]]:
-    thick = [Scene(kind, solutes=1, section=12, through=12) for kind in (Kind.SOLUTE, Kind.MULTIPHASIC)]
-    return {Part.COMPARISON: [Scene(kind, solutes=_solutes(kind)) for kind in Kind], Part.ADDED: thick}
 
 
 def _write_docs(folder: Path) -> None:
@@ -86,8 +79,7 @@ def _write_docs(folder: Path) -> None:
         if (folder / name).is_file():
             shutil.copy(folder / name, DATA / name)
     page.draw(files.read_csv(DATA / page.EFFECTS, EffectCost), DOCS / page.PICTURE)
-    (DOCS / page.PAGE.name).write_text(page.PAGE(), encoding="utf-8")
-    console.print(f"Written: {DOCS / page.PAGE.name}, {DOCS / page.PICTURE}")
+    console.print(f"Written: {page.PAGE.write()}, {DOCS / page.PICTURE}")
 
 
 def _solutes(kind: Kind) -> int:

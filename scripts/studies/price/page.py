@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -81,7 +80,6 @@ def _scene(own: Sequence[EffectCost]) -> str:
 
 def draw(costs: Sequence[EffectCost], path: Path) -> Path:
     """Bars of time by effect and of matrix entries, a row for each scene, with the XML that asks for it."""
-    mpl.use("Agg")
     figure = Figure(figsize=(10.0, 4.6), layout="constrained", facecolor="white")
     left, right = figure.subplots(1, 2, sharey=True, width_ratios=(3, 1.4))
     scenes = list(_by_scene(costs).values())
@@ -99,8 +97,7 @@ def draw(costs: Sequence[EffectCost], path: Path) -> Path:
     handles, labels = left.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=7, fontsize=8, frameon=False)
-    figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None)
-    return path
+    return files.save_figure(figure, path)
 
 
 def _bar(axes: Axes, row: int, own: Sequence[EffectCost]) -> None:

@@ -39,10 +39,6 @@ class Written(Protocol):
     def about(self) -> str:
         """What it stands for."""
 
-    @property
-    def module(self) -> str:
-        """FEBio's module."""
-
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""
 

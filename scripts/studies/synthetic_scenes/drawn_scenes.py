@@ -28,11 +28,6 @@ class Drawn:
     about: str
     document: Document
 
-    @property
-    def module(self) -> str:
-        """FEBio's module."""
-        return self.document.module
-
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""
         folder.mkdir(parents=True, exist_ok=True)
@@ -60,7 +55,7 @@ def _on_shells(*, faces_up: bool, is_rigid: bool = False) -> Document:
     parts.plate("plate", "skin", 1.0 if faces_up else 0.8, 0.2, faces_up=faces_up)
     edges = [n for n in parts.node_sets["plate"] if {0.0, 1.0} & set(parts.nodes[n - 1][:2])]
     parts.node_sets["edges"] = edges
-    held = fixed("edges", "x", "y", "z")
+    held = fixed("edges")
     body = f'<rigid_bc type="rigid_fixed"><rb>skin</rb>{HELD}</rigid_bc>'
     if not faces_up:
         parts.surfaces["plate"] = [facet[::-1] for facet in parts.surfaces["plate"]]
@@ -89,7 +84,7 @@ def _pressed(module: str, analysis: str) -> Document:
         light,
         module=module,
         control=_control(module, analysis),
-        boundary=(fixed("slab-bottom", "x", "y", "z"), fixed("block-top", "x", "y"), moved("block-top", "z", -0.1)),
+        boundary=(fixed("slab-bottom"), fixed("block-top", "x", "y"), moved("block-top", "z", -0.1)),
         contacts=(contact("c", "pair", "sliding-elastic", PENALTY),),
         curves=(RAMP,),
     )
@@ -106,7 +101,7 @@ def _stacked() -> Document:
         (elastic("one", 1, 2.0, 0.3), elastic("two", 2, 1.0, 0.45)),
         control=_control(),
         boundary=(
-            fixed("slab-bottom", "x", "y", "z"),
+            fixed("slab-bottom"),
             fixed("cap-top", "x", "y"),
             fixed("disc-left", "x"),
             fixed("disc-front", "y"),
@@ -124,7 +119,7 @@ def _slotted() -> Document:
         parts.mesh({"pair": ("slot", "slot")}),
         (elastic("soft", 1, 1, 0.3),),
         control=_control(),
-        boundary=(fixed("bottom", "x", "y", "z"), moved("tip", "z", -0.35)),
+        boundary=(fixed("bottom"), moved("tip", "z", -0.35)),
         contacts=(contact("c", "pair", "sliding-elastic", PENALTY),),
         curves=(RAMP,),
     )

@@ -35,7 +35,7 @@ _RUBS = {
 def _with_friction(name: str, coefficient: float) -> Edited:
     scene = BODIES[name]
     rubs = edits.in_contact(fric_coeff=f"{coefficient:g}")
-    return Edited(f"{scene.about}, friction {coefficient:g}", scene, (rubs,), scene.module)
+    return Edited(f"{scene.about}, friction {coefficient:g}", scene, (rubs,))
 
 
 SCENES: Mapping[str, Edited] = {f"friction-{name}": _with_friction(name, mu) for name, mu in _RUBS.items()}

@@ -24,14 +24,11 @@ class Edited:
     scene : Scene
     edits : tuple of Edit
         Applied one after the other.
-    module : str
-        FEBio's module.
     """
 
     about: str
     scene: Scene
     edits: tuple[Edit, ...]
-    module: str
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""
@@ -42,11 +39,7 @@ class Edited:
 
 
 def _edited(about: str, scene: str, *made: Edit) -> Edited:
-    return Edited(about, BODIES[scene], made, BODIES[scene].module)
-
-
-def _explicit(about: str, scene: str, steps: int) -> Edited:
-    return Edited(about, BODIES[scene], (edits.explicit_dynamics(steps),), "explicit-solid")
+    return Edited(about, BODIES[scene], made)
 
 
 SCENES: Mapping[str, Edited] = {
@@ -56,9 +49,9 @@ SCENES: Mapping[str, Edited] = {
     "broyden": _edited("10 updates of Broyden", "elements-hex8", edits.updates("Broyden", 10)),
     "broyden-biphasic": _edited("10 updates of Broyden, biphasic", "biphasic", edits.updates("Broyden", 10)),
     "symmetric": _edited("symmetric matrix", "elements-hex8", edits.solver(symmetric_stiffness="symmetric")),
-    "explicit": _explicit("explicit dynamics", "elements-hex8", 500),
-    "explicit-finer": _explicit("explicit dynamics, twice as fine", "finer", 1000),
-    "explicit-tet4": _explicit("explicit dynamics, tetrahedra", "elements-tet4", 2000),
+    "explicit": _edited("explicit dynamics", "elements-hex8", edits.explicit_dynamics(500)),
+    "explicit-finer": _edited("explicit dynamics, twice as fine", "finer", edits.explicit_dynamics(1000)),
+    "explicit-tet4": _edited("explicit dynamics, tetrahedra", "elements-tet4", edits.explicit_dynamics(2000)),
     "no-line-search": _edited("without a line search", "elements-hex8", edits.solver(lstol="0")),
     "begins-with-a-step": _edited("contact from the second analysis step on", "flat", edits.two_steps((2,))),
     "ends-with-a-step": _edited("contact in the first analysis step alone", "elements-hex8", edits.two_steps((1,))),

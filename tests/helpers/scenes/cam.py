@@ -9,8 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from harness.models.blocks import FACES
 from studies.models import small
-from studies.models.small import HEX_FACES, Document, Part, Parts
+from studies.models.small import Document, Part, Parts
 
 RADIUS, LIFT, HOLE, WIDTH = 1.0, 0.2, 0.4, 0.5
 """mm: mean radius of the cam, how much larger or smaller it becomes, radius of its hole, and its width."""
@@ -82,7 +83,7 @@ class Cam:
             for n in range(self.around)
         ]
         parts.parts.append(Part("cam", "cam", "hex8", elements))
-        parts.surfaces["cam"] = [tuple(ids[a] for a in HEX_FACES[1]) for ids in elements]
+        parts.surfaces["cam"] = [tuple(ids[a] for a in FACES[1]) for ids in elements]
 
 
 def _add_follower(parts: Parts) -> None:

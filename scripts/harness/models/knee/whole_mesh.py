@@ -25,7 +25,7 @@ class Size(str, Enum):
     """How fine the mesh is, by its number of equations where all bodies are elastic."""
 
     COARSE = "coarse"
-    """About 3 000 equations, for a first look."""
+    """About 5 000 equations, for a first look."""
     SMALL = "small"
     """About 25 000 equations."""
     MEDIUM = "medium"

@@ -73,16 +73,14 @@ class Layers:
             },
             {"slab": biphasic(soft, 0.1, low), "dome": biphasic(stiff, 0.1, high)},
             (Touch("dome-z0", "slab-z1", "sliding-biphasic", self.params),),
-            {
-                "Boundary": (
-                    fixed("slab-z0", "x", "y", "z"),
-                    fixed("dome-z1", "y"),
-                    across,
-                    *drive,
-                    *(drained(end) for end in ("slab-z0", "dome-z1")),
-                ),
-                "Loads": (press("dome-z1", self.load),) if self.load else (),
-            },
+            (
+                fixed("slab-z0"),
+                fixed("dome-z1", "y"),
+                across,
+                *drive,
+                *(drained(end) for end in ("slab-z0", "dome-z1")),
+                *((press("dome-z1", self.load),) if self.load else ()),
+            ),
             self.scheme,
             module="biphasic",
         )
@@ -116,22 +114,10 @@ def salty(params: str, charges: tuple[float, float], way: float = 0.0, scheme: S
     )
     across = moved("dome-z1", "x", way, 2) if way else fixed("dome-z1", "x")
     return Sketch(
-        {
-            "slab": mapped((6, 6, 3), box((-1, -1, -0.8), (1, 1, 0))),
-            "dome": mapped((4, 4, 3), dome()),
-        },
+        {"slab": mapped((6, 6, 3), box((-1, -1, -0.8), (1, 1, 0))), "dome": mapped((4, 4, 3), dome())},
         {"slab": charged(1.0, charges[0]), "dome": charged(2.0, charges[1])},
         (Touch("dome-z0", "slab-z1", "sliding-multiphasic", params + ambient),),
-        {
-            "Boundary": (
-                fixed("slab-z0", "x", "y", "z"),
-                fixed("dome-z1", "y"),
-                across,
-                moved("dome-z1", "z", -0.1),
-                *held,
-            ),
-            "Initial": tuple(start),
-        },
+        (fixed("slab-z0"), fixed("dome-z1", "y"), across, moved("dome-z1", "z", -0.1), *held, *tuple(start)),
         scheme,
         module="multiphasic",
         globals=f"<Solutes>{IONS}</Solutes>",
@@ -144,36 +130,30 @@ SCENES: Mapping[str, Reported] = {
     "layers-tight-on-open": Reported(
         "a dome with a very low permeability on a slab with a million times this permeability",
         Layers((1.0, 1e-6), _SOFT),
-        "biphasic",
     ),
     "layers-open-on-tight": Reported(
         "a dome with a million times the slab's permeability, hex20",
         Layers((1e-6, 1.0), _SOFT, element="hex20"),
-        "biphasic",
     ),
     "layers-tight-slides": Reported(
         "layers of very different permeability slide, friction 0.1, two passes",
         Layers((1e-1, 1e-5), auto(1.0, NEAR + fluid(1.0) + friction(0.1) + TWO_PASS), way=0.3, scheme=Scheme(20)),
-        "biphasic",
     ),
     "layers-stiff-on-soft-load": Reported(
         "a stiff porous dome on a soft slab under a pressure",
         Layers((1e-3, 1e-3), _SOFT, (0.2, 20.0), load=0.03),
-        "biphasic",
     ),
     "layers-augmented-bfgs": Reported(
         "porous layers of a permeability ratio of 1e4, AUGLAG with a small penalty, BFGS",
         Layers((1e-4, 1.0), auglag(0.2, 0.1, NEAR + fluid(0.2)), scheme=Scheme(updates=10)),
-        "biphasic",
     ),
-    "salty": Reported("layers with fixed charge, two ions cross", lambda: salty(_SALT, (-20.0, -20.0)), "multiphasic"),
+    "salty": Reported("layers with fixed charge, two ions cross", lambda: salty(_SALT, (-20.0, -20.0))),
     "salty-unlike": Reported(
-        "a charged layer on a layer without charge, two ions cross", lambda: salty(_SALT, (-20.0, 0.0)), "multiphasic"
+        "a charged layer on a layer without charge, two ions cross", lambda: salty(_SALT, (-20.0, 0.0))
     ),
     "salty-slides-two-pass": Reported(
         "charged layers slide, two passes",
         lambda: salty(auto(1.0, NEAR + fluid(1.0, 1.0) + TWO_PASS), (-20.0, -10.0), 0.3, Scheme(20)),
-        "multiphasic",
     ),
 }
 """By name."""

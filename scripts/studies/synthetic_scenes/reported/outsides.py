@@ -25,10 +25,10 @@ from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, T
 from studies.synthetic_scenes.reported.words import auglag, auto, hold, neo, ogden, press, radius, rigid, shift
 
 
-def _several(*parts: tuple[tuple[int, int, int], tuple[float, ...], tuple[float, ...]], element: str = "hex8") -> Shape:
+def _several(*parts: tuple[tuple[int, int, int], tuple[float, ...], tuple[float, ...]]) -> Shape:
     """Boxes that share faces of the same mesh, as one body: cells, lowest and highest corner of each."""
     cells, lows, highs = zip(*parts, strict=True)
-    return joined([grid(each) for each in cells], [box(a, b) for a, b in zip(lows, highs, strict=True)], element)
+    return joined([grid(each) for each in cells], [box(a, b) for a, b in zip(lows, highs, strict=True)], "hex8")
 
 
 def _base(shape: Shape, axis: int, value: float) -> Shape:
@@ -49,13 +49,7 @@ def boxes(updates: int = 0, params: str = "", element: str = "hex8", lean: float
         {"low": low, "high": high},
         {"low": neo(1.0), "high": neo(2.0)},
         (Touch("high-outside", "low-outside", params=params or auto(5.0)),),
-        {
-            "Boundary": (
-                fixed("low-z0", "x", "y", "z"),
-                fixed("high-z1", "x", "y"),
-                moved("high-z1", "z", -0.2),
-            )
-        },
+        (fixed("low-z0"), fixed("high-z1", "x", "y"), moved("high-z1", "z", -0.2)),
         Scheme(updates=updates),
     )
 
@@ -69,10 +63,7 @@ def plate_on_slab(further: str = "") -> Sketch:
         },
         {"slab": neo(1.0), "plate": neo(5.0)},
         (Touch("plate-outside", "slab-outside", params=auto(1.0, further)),),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"), fixed("plate-x0", "x"), fixed("plate-y0", "y")),
-            "Loads": (press("plate-z1", 0.02),),
-        },
+        (fixed("slab-z0"), fixed("plate-x0", "x"), fixed("plate-y0", "y"), press("plate-z1", 0.02)),
     )
 
 
@@ -94,14 +85,12 @@ def corner(sides: bool, params: str) -> Sketch:
         {"angle": angle, "block": block},
         {"angle": neo(1.0), "block": neo(1.0)},
         (Touch(f"block-{pair[0]}", f"angle-{pair[1]}", params=params),),
-        {
-            "Boundary": (
-                fixed("angle-held", "x", "y", "z"),
-                fixed("block-driven", "y"),
-                moved("block-driven", "x", -0.15),
-                moved("block-driven", "z", -0.15),
-            )
-        },
+        (
+            fixed("angle-held"),
+            fixed("block-driven", "y"),
+            moved("block-driven", "x", -0.15),
+            moved("block-driven", "z", -0.15),
+        ),
     )
 
 
@@ -120,13 +109,7 @@ def clip(params: str) -> Sketch:
         {"fork": fork, "plate": plate},
         {"fork": neo(2.0), "plate": neo(2.0)},
         (Touch("plate-outside", "fork-outside", params=params),),
-        {
-            "Boundary": (
-                fixed("fork-base", "x", "y", "z"),
-                fixed("plate-x1", "x", "y"),
-                moved("plate-x1", "z", 0.3),
-            )
-        },
+        (fixed("fork-base"), fixed("plate-x1", "x", "y"), moved("plate-x1", "z", 0.3)),
     )
 
 
@@ -150,19 +133,14 @@ def wedge_between(params: str) -> Sketch:
             "block": mapped((7, 3, 3), over),
         },
         {"slab": neo(1.0), "wedge": neo(3.0, 0.1), "block": neo(1.0)},
+        (Touch("wedge-outside", "slab-outside", params=params), Touch("wedge-outside", "block-outside", params=params)),
         (
-            Touch("wedge-outside", "slab-outside", params=params),
-            Touch("wedge-outside", "block-outside", params=params),
+            fixed("slab-z0"),
+            fixed("block-z1", "x", "y"),
+            moved("block-z1", "z", -0.15),
+            fixed("wedge-x1", "x", "y"),
+            *(fixed(f"wedge-{side}", "y") for side in ("y0", "y1")),
         ),
-        {
-            "Boundary": (
-                fixed("slab-z0", "x", "y", "z"),
-                fixed("block-z1", "x", "y"),
-                moved("block-z1", "z", -0.15),
-                fixed("wedge-x1", "x", "y"),
-                *(fixed(f"wedge-{side}", "y") for side in ("y0", "y1")),
-            )
-        },
     )
 
 
@@ -177,10 +155,7 @@ def edge_down(sides: tuple[str, str], degrees: float, params: str) -> Sketch:
         },
         {"slab": neo(1.0), "box": rigid((0, 0, 0.01 + rise))},
         (Touch(f"slab-{sides[0]}", f"box-{sides[1]}", params=params),),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
-            "Rigid": (hold("box", "xyuvw"), shift("box", "z", -0.25)),
-        },
+        (fixed("slab-z0"), hold("box", "xyuvw"), shift("box", "z", -0.25)),
     )
 
 
@@ -210,36 +185,28 @@ def fold(side: tuple[str, str], params: str, element: str = "hex8", updates: int
         {"sheet": mapped((28, 3, 1 if element == "hex20" else 2), sheet(_u, 0.6, 0.25), element)},
         {"sheet": neo(1.0)},
         (Touch(f"sheet-{side[0]}", f"sheet-{side[1]}", params=params),),
-        {
-            "Boundary": (
-                fixed("sheet-x0", "x", "y", "z"),
-                fixed("sheet-x1", "x", "y"),
-                moved("sheet-x1", "z", -depth),
-            )
-        },
+        (fixed("sheet-x0"), fixed("sheet-x1", "x", "y"), moved("sheet-x1", "z", -depth)),
         Scheme(updates=updates),
     )
 
 
-def wave(params: str, updates: int = 0) -> Sketch:
+def wave(params: str) -> Sketch:
     """A wavy sheet is pushed together until its turns touch."""
     return Sketch(
         {"sheet": mapped((36, 2, 1), sheet(_s, 0.5, 0.2))},
         {"sheet": neo(1.0, 0.2)},
         (Touch("sheet-outside", "sheet-outside", params=params),),
-        {
-            "Boundary": (
-                fixed("sheet-x0", "x", "y", "z"),
-                fixed("sheet-x1", "x", "y"),
-                *(fixed(f"sheet-{side}", "y") for side in ("y0", "y1")),
-                moved("sheet-x1", "z", -1.6),
-            )
-        },
-        Scheme(20, 0.05, updates=updates),
+        (
+            fixed("sheet-x0"),
+            fixed("sheet-x1", "x", "y"),
+            *(fixed(f"sheet-{side}", "y") for side in ("y0", "y1")),
+            moved("sheet-x1", "z", -1.6),
+        ),
+        Scheme(20, 0.05),
     )
 
 
-def ring_between_plates(params: str, inner: bool, updates: int = 0) -> Sketch:
+def ring_between_plates(params: str, inner: bool) -> Sketch:
     """A ring is squashed between rigid plates until its inside touches itself; half of it, plane strain."""
     ring = mapped((2, 20, 1), turned(arc(0.75, 1.0, 0.3, (-90.0, 90.0)), "x", 90.0))
     touching = (Touch("ring-x0", "ring-x0", params=params),) if inner else ()
@@ -250,23 +217,15 @@ def ring_between_plates(params: str, inner: bool, updates: int = 0) -> Sketch:
             "high": mapped((1, 1, 1), box((-0.2, -0.3, 1.01), (2.2, 0.3, 1.3))),
         },
         {"ring": ogden(0.3, 2.0, 20.0), "low": rigid((1, 0, -1.15)), "high": rigid((1, 0, 1.15))},
+        (Touch("ring-x1", "low-z1", params=params), Touch("ring-x1", "high-z0", params=params), *touching),
         (
-            Touch("ring-x1", "low-z1", params=params),
-            Touch("ring-x1", "high-z0", params=params),
-            *touching,
+            *(fixed(f"ring-{side}", "x") for side in ("y0", "y1")),
+            *(fixed(f"ring-{side}", "y") for side in ("z0", "z1")),
+            *(hold(plate, "xyuvw") for plate in ("low", "high")),
+            shift("low", "z", 0.65 if inner else 0.4),
+            shift("high", "z", -0.65 if inner else -0.4),
         ),
-        {
-            "Boundary": (
-                *(fixed(f"ring-{side}", "x") for side in ("y0", "y1")),
-                *(fixed(f"ring-{side}", "y") for side in ("z0", "z1")),
-            ),
-            "Rigid": (
-                *(hold(plate, "xyuvw") for plate in ("low", "high")),
-                shift("low", "z", 0.65 if inner else 0.4),
-                shift("high", "z", -0.65 if inner else -0.4),
-            ),
-        },
-        Scheme(20, 0.05, updates=updates),
+        Scheme(20, 0.05),
     )
 
 

@@ -7,10 +7,19 @@ from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise
 
-import numpy as np
-
 from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.shapes import (
+    Place,
+    arc,
+    ball,
+    box,
+    bulged,
+    mapped,
+    scaled,
+    shell,
+    shifted,
+    turned,
+)
 from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
@@ -44,21 +53,10 @@ VISCOUS = (
 )
 
 
-def dome(size: float = 0.6, height: float = 0.8, gap: float = 0.01, bulge: float = 0.3) -> Place:
+def dome(gap: float = 0.01) -> Place:
     """A block whose lower face bulges downwards."""
-    flat = box((-size, -size, gap), (size, size, gap + height))
-
-    def place(u: np.ndarray) -> np.ndarray:
-        points = flat(u)
-        up = bulge * (points[:, 0] ** 2 + points[:, 1] ** 2) * (1.0 - u[:, 2])
-        return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), up]))
-
-    return place
-
-
-def scaled(place: Place, unit: float) -> Place:
-    """The same in a longer unit of length, mm."""
-    return lambda u: np.asarray(place(u) * unit)
+    flat = box((-0.6, -0.6, gap), (0.6, 0.6, gap + 0.8))
+    return bulged(flat, lambda x: 0.3 * (x[:, 0] ** 2 + x[:, 1] ** 2))
 
 
 @dataclass(frozen=True)
@@ -92,10 +90,12 @@ class Dome:
             },
             {"slab": self.low, "dome": self.high},
             (Touch(*sides, params=self.params),),
-            {
-                "Boundary": (fixed("slab-z0", "x", "y", "z"), *across, *drive),
-                "Loads": (press("dome-z1", self.load, 4 if self.held else 1),) if self.load else (),
-            },
+            (
+                fixed("slab-z0"),
+                *across,
+                *drive,
+                *((press("dome-z1", self.load, 4 if self.held else 1),) if self.load else ()),
+            ),
             self.scheme,
         )
 
@@ -113,18 +113,16 @@ def stack(params: str, materials: Sequence[Material], side: str, element: str = 
         {name: mapped(c, place, element) for name, c, place in zip(names, cells, places, strict=True)},
         dict(zip(names, materials, strict=True)),
         tuple(pairs),
-        {
-            "Boundary": (
-                fixed("one-z0", "x", "y", "z"),
-                fixed("four-z1", "x", "y"),
-                *(fixed(f"{name}-x0", "x", "y") for name in names[1:3]),
-                *(moved("four-z1", "z", -0.15),),
-            ),
-        },
+        (
+            fixed("one-z0"),
+            fixed("four-z1", "x", "y"),
+            *(fixed(f"{name}-x0", "x", "y") for name in names[1:3]),
+            *(moved("four-z1", "z", -0.15),),
+        ),
     )
 
 
-def two_on_one(params: str, way: float = 0.2) -> Sketch:
+def two_on_one(params: str) -> Sketch:
     """Two rigid spheres are pressed into one slab next to each other; one slides to the other."""
     places = {name: shifted(ball(0.5), (x, 0, 0.48)) for name, x in (("left", -0.6), ("right", 0.6))}
     return Sketch(
@@ -134,53 +132,46 @@ def two_on_one(params: str, way: float = 0.2) -> Sketch:
         },
         {"slab": neo(), "left": rigid((-0.6, 0, 0.5)), "right": rigid((0.6, 0, 0.5))},
         tuple(Touch("slab-z1", f"{name}-outside", params=params) for name in ("left", "right")),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
-            "Rigid": (
-                hold("left", "yuvw"),
-                hold("right", "xyuvw"),
-                shift("left", "z", -0.15),
-                shift("right", "z", -0.15),
-                shift("left", "x", way, 2),
-            ),
-        },
+        (
+            fixed("slab-z0"),
+            hold("left", "yuvw"),
+            hold("right", "xyuvw"),
+            shift("left", "z", -0.15),
+            shift("right", "z", -0.15),
+            shift("left", "x", 0.2, 2),
+        ),
         Scheme(20),
     )
 
 
-def beam(params: str, rest: str, element: str = "hex8", load: float = 0.02) -> Sketch:
+def beam(params: str, rest: str, element: str = "hex8") -> Sketch:
     """A cantilever bends by a pressure, until it rests on a body below it: a force alone closes the gap."""
     cells = (10, 1, 1) if element in ("hex20", "tet10", "hex27") else (20, 3, 3)
     low = shifted(turned(arc(0.2, 0.5, 1.0), "x", 90.0), (2.5, 0, -0.7))
     bodies = {"beam": mapped(cells, box((0, -0.4, 0), (3, 0.4, 0.3)), element)}
     is_rigid = rest == "rigid"
     bodies["rest"] = mapped((1, 24, 2), low)
-    held = {"Rigid": (hold("rest"),)} if is_rigid else {}
-    fixes = [fixed("beam-x0", "x", "y", "z")] + ([] if is_rigid else [fixed("rest-x0", "x", "y", "z")])
+    held = hold("rest") if is_rigid else fixed("rest-x0")
     return Sketch(
         bodies,
         {"beam": neo(10.0), "rest": rigid((2.5, 0, -0.7)) if is_rigid else neo(1.0)},
         (Touch("beam-z0", "rest-x1", params=params),),
-        {"Boundary": tuple(fixes), "Loads": (press("beam-z1", load),), **held},
+        (fixed("beam-x0"), held, press("beam-z1", 0.02)),
     )
 
 
-def blown(params: str, rest: Material, thickness: float = 0.05, load: float = 0.1) -> Sketch:
+def blown(params: str, rest: Material) -> Sketch:
     """A membrane of shells is blown by a pressure onto a block above it."""
     flat = box((-1, -1, 0), (1, 1, 0))
-    sheet = shell((10, 10), flat, thickness)
+    sheet = shell((10, 10), flat, 0.05)
     above = mapped((6, 6, 2), box((-1.2, -1.2, 0.15), (1.2, 1.2, 0.75)))
-    is_rigid = rest[0] == "rigid body"
-    edges = [fixed(f"skin-{side}", "x", "y", "z") for side in ("x0", "x1", "y0", "y1")]
+    held = hold("rest") if rest[0] == "rigid body" else fixed("rest-z1")
+    edges = [fixed(f"skin-{side}") for side in ("x0", "x1", "y0", "y1")]
     return Sketch(
         {"skin": sheet, "rest": above},
         {"skin": neo(5.0), "rest": rest},
         (Touch("skin-face", "rest-z0", params=params),),
-        {
-            "Boundary": (*edges, *(() if is_rigid else (fixed("rest-z1", "x", "y", "z"),))),
-            "Loads": (press("skin-back", load),),
-            **({"Rigid": (hold("rest"),)} if is_rigid else {}),
-        },
+        (*edges, held, press("skin-back", 0.1)),
     )
 
 
@@ -192,10 +183,7 @@ def twist(params: str, material: Material, angle: float, element: str = "hex8") 
         {"block": mapped(cells, box((-1, -1, -0.8), (1, 1, 0)), element), "disc": mapped((3, 16, 1), disc)},
         {"block": material, "disc": rigid((0, 0, 0.16))},
         (Touch("disc-z0", "block-z1", params=params),),
-        {
-            "Boundary": (fixed("block-z0", "x", "y", "z"),),
-            "Rigid": (hold("disc", "xyuv"), shift("disc", "z", -0.1), spin("disc", "Rw", angle, 2)),
-        },
+        (fixed("block-z0"), hold("disc", "xyuv"), shift("disc", "z", -0.1), spin("disc", "Rw", angle, 2)),
         Scheme(20),
     )
 
@@ -207,14 +195,11 @@ def plug(params: str, force: float = 0.0, material: Material | None = None) -> S
         {"ring": mapped((2, 20, 4), arc(0.8, 1.3, 0.6)), "plug": mapped((1, 24, 5), cone)},
         {"ring": material or mooney(0.3, 0.0, 20.0), "plug": rigid()},
         (Touch("ring-x0", "plug-x1", params=params),),
-        {
-            "Boundary": (fixed("ring-x1", "x", "y", "z"),),
-            "Rigid": (hold("plug", "xyuvw"), push("plug", "z", -force) if force else shift("plug", "z", -0.25)),
-        },
+        (fixed("ring-x1"), hold("plug", "xyuvw"), push("plug", "z", -force) if force else shift("plug", "z", -0.25)),
     )
 
 
-def arch(params: str, depth: float = 0.6) -> Sketch:
+def arch(params: str) -> Sketch:
     """A rigid ball presses a shallow arch until it has snapped through."""
     bow = turned(arc(2.9, 3.0, 0.6, (60.0, 120.0)), "x", 90.0)
     return Sketch(
@@ -224,15 +209,12 @@ def arch(params: str, depth: float = 0.6) -> Sketch:
         },
         {"arch": neo(10.0), "ball": rigid((0, 0, 0.8))},
         (Touch("arch-x1", "ball-outside", params=params),),
-        {
-            "Boundary": (fixed("arch-y0", "x", "y", "z"), fixed("arch-y1", "x", "y", "z")),
-            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", -depth)),
-        },
+        (fixed("arch-y0"), fixed("arch-y1"), hold("ball", "xyuvw"), shift("ball", "z", -0.6)),
         Scheme(20, 0.05),
     )
 
 
-def crushed(params: str, element: str = "hex8", depth: float = 0.3) -> Sketch:
+def crushed(params: str, element: str = "hex8") -> Sketch:
     """Half a soft tube that stands on its symmetry plane is crushed by a rigid roller."""
     half = turned(arc(0.8, 1.0, 2.0, (0.0, 180.0)), "x", 90.0)
     cells = (1, 8, 2) if element in ("hex20", "tet10", "hex27") else (2, 16, 3)
@@ -241,10 +223,13 @@ def crushed(params: str, element: str = "hex8", depth: float = 0.3) -> Sketch:
         {"tube": mapped(cells, half, element), "roll": mapped((1, 20, 2), roll)},
         {"tube": mooney(1.0, 0.0, 100.0), "roll": rigid((0, 0, 1.505))},
         (Touch("tube-x1", "roll-x1", params=params),),
-        {
-            "Boundary": (fixed("tube-y0", "x", "z"), fixed("tube-y1", "z"), fixed("tube-z0", "y")),
-            "Rigid": (hold("roll", "xyuvw"), shift("roll", "z", -depth)),
-        },
+        (
+            fixed("tube-y0", "x", "z"),
+            fixed("tube-y1", "z"),
+            fixed("tube-z0", "y"),
+            hold("roll", "xyuvw"),
+            shift("roll", "z", -0.3),
+        ),
     )
 
 

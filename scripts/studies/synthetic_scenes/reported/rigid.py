@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from studies.models.small import fixed
-from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
+from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, scaled, shell, shifted, turned
 from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
@@ -36,14 +36,10 @@ from studies.synthetic_scenes.reported.words import (
 TURN = 2.0 * np.pi
 
 
-def _scaled(place: Place, x: float) -> Place:
-    return lambda u: np.asarray(place(u) * (x, 1.0, 1.0))
-
-
 def _cam(eccentric: float, stretch: float) -> Place:
     """A disc along y that turns about the origin."""
     disc = turned(arc(0.3, 1.0, 0.6), "x", 90.0)
-    return shifted(_scaled(disc, stretch), (eccentric, 0.0, 0.0))
+    return shifted(scaled(disc, (stretch, 1.0, 1.0)), (eccentric, 0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -54,26 +50,24 @@ class Cam:
     stretch: float = 1.0
     soft: bool = False
     params: str = ""
-    steps: int = 50
-    turns: float = 1.0
 
     def __call__(self) -> Sketch:
         """The model."""
         top = 1.0
         follower = mapped((8, 2, 2), box((-1.2, -0.4, top - 0.01), (1.8, 0.4, top + 0.4)))
-        rigid_parts = [hold("cam", "xyzuw"), spin("cam", "Rv", self.turns * TURN, 1)]
+        rigid_parts = [hold("cam", "xyzuw"), spin("cam", "Rv", TURN, 1)]
         if not self.soft:
             rigid_parts += [hold("follower", "xyuvw"), push("follower", "z", -0.1, 4)]
         return Sketch(
             {"cam": mapped((1, 48, 2), _cam(self.eccentric, self.stretch)), "follower": follower},
             {"cam": rigid(), "follower": neo(5.0) if self.soft else rigid((0.3, 0.0, top + 0.2))},
             (Touch("cam-x1", "follower-z0", params=self.params or given(50.0)),),
-            {
-                "Boundary": (fixed("follower-z1", "x", "y"),) if self.soft else (),
-                "Rigid": rigid_parts,
-                "Loads": (press("follower-z1", 0.05, 4),) if self.soft else (),
-            },
-            Scheme(self.steps, 1.0 / self.steps),
+            (
+                *((fixed("follower-z1", "x", "y"),) if self.soft else ()),
+                *rigid_parts,
+                *((press("follower-z1", 0.05, 4),) if self.soft else ()),
+            ),
+            Scheme(50, 0.02),
         )
 
 
@@ -89,7 +83,6 @@ class Punch:
     free: bool = False
     scheme: Scheme = USUAL
     primary: bool = True
-    force: float = 0.3
 
     def __call__(self) -> Sketch:
         """The model."""
@@ -101,10 +94,7 @@ class Punch:
             },
             {"punch": rigid((0, 0, 0.5)), "block": self.material},
             (Touch(*sides, params=self.params),),
-            {
-                "Boundary": (fixed("block-z0", "x", "y", "z"),),
-                "Rigid": (hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -self.force)),
-            },
+            (fixed("block-z0"), hold("punch", "xyw" if self.free else "xyuvw"), push("punch", "z", -0.3)),
             self.scheme,
         )
 
@@ -120,15 +110,13 @@ def wheel(mu: float) -> Sketch:
         {"wheel": mapped((1, 40, 3), disc), "slab": mapped((16, 4, 3), box((-1, -0.5, -0.8), (2.2, 0.5, 0.0)))},
         {"wheel": rigid((0, 0, 1.01)), "slab": neo()},
         (Touch("slab-z1", "wheel-x1", params=auto(1.0, friction(mu))),),
-        {
-            "Boundary": (fixed("slab-z0", "x", "y", "z"),),
-            "Rigid": (
-                hold("wheel", "yuw"),
-                shift("wheel", "z", -0.1),
-                shift("wheel", "x", 1.0, 2),
-                spin("wheel", "Rv", 1.0, 2),
-            ),
-        },
+        (
+            fixed("slab-z0"),
+            hold("wheel", "yuw"),
+            shift("wheel", "z", -0.1),
+            shift("wheel", "x", 1.0, 2),
+            spin("wheel", "Rv", 1.0, 2),
+        ),
         Scheme(30, 1.0 / 15.0),
     )
 
@@ -167,15 +155,14 @@ class BetweenPlates:
                 Touch(f"body-{self.side if self.side == 'outside' else 'z0'}", "low-face", self.kind, self.params),
                 Touch(f"body-{self.side if self.side == 'outside' else 'z1'}", "high-face", self.kind, self.params),
             ),
-            {
-                "Boundary": (fixed("body-x0", "x", "y", "z"), *open_side),
-                "Rigid": (
-                    hold("low", "xyuvw"),
-                    hold("high", "xyuvw"),
-                    shift("low", "z", self.way / 2),
-                    shift("high", "z", -self.way / 2),
-                ),
-            },
+            (
+                fixed("body-x0"),
+                *open_side,
+                hold("low", "xyuvw"),
+                hold("high", "xyuvw"),
+                shift("low", "z", self.way / 2),
+                shift("high", "z", -self.way / 2),
+            ),
             Scheme(updates=self.updates),
             module=self.module,
         )
@@ -250,7 +237,6 @@ SCENES: Mapping[str, Reported] = {
             kind="sliding-biphasic",
             module="biphasic",
         ),
-        "biphasic",
     ),
 }
 """By name."""

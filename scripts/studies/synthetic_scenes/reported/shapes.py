@@ -12,6 +12,7 @@ import numpy as np
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Nodes
+from studies.models import assembly
 from studies.models.quadratic import ADDED
 from studies.models.tetrahedra import tetrahedra
 from studies.synthetic_scenes.slab_and_block import FACES_OF, prisms
@@ -65,8 +66,7 @@ class Shape:
 
 def grid(cells: Sequence[int]) -> Body:
     """The unit cube in hexahedra."""
-    lines = [np.linspace(0.0, 1.0, n + 1) for n in cells]
-    return blocks.structured(np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1))
+    return assembly.box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), cells)
 
 
 def mapped(cells: Sequence[int], place: Place, element: str = "hex8") -> Shape:
@@ -255,3 +255,19 @@ def turned(place: Place, axis: str, degrees: float) -> Place:
 def shifted(place: Place, by: Sequence[float]) -> Place:
     """The same moved, mm."""
     return lambda u: np.asarray(place(u) + np.array(by, dtype=float))
+
+
+def scaled(place: Place, factors: float | Sequence[float]) -> Place:
+    """The same in another unit of length, or stretched along x, y and z."""
+    return lambda u: np.asarray(place(u) * np.array(factors))
+
+
+def bulged(place: Place, rise: Callable[[Nodes], np.ndarray]) -> Place:
+    """The same with its lower face raised by a function (mm) of the position, and the top as it is."""
+
+    def moved(u: Nodes) -> Nodes:
+        points = place(u)
+        up = rise(points) * (1.0 - u[:, 2])
+        return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), up]))
+
+    return moved

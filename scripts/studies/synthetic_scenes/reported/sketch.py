@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from studies.models import small
@@ -39,8 +39,6 @@ class Scheme:
     symmetric : bool, optional
         FEBio's default in the module `solid`, which other modules do not have; None keeps it.
     reformations : int
-    further : str
-        More of the solver's parameters, as XML.
     """
 
     steps: int = 10
@@ -51,7 +49,6 @@ class Scheme:
     updates: int = 0
     symmetric: bool | None = False
     reformations: int = 25
-    further: str = ""
 
     def text(self, module: str) -> str:
         """<Control>."""
@@ -66,7 +63,7 @@ class Scheme:
             f"<step_size>{self.size:g}</step_size><plot_level>PLOT_NEVER</plot_level>{stepper if self.retries else ''}"
             f'<solver type="{module}">'
             + (f"<symmetric_stiffness>{matrix}</symmetric_stiffness>" if matrix else "")
-            + f"<max_refs>{self.reformations}</max_refs>{self.further}"
+            + f"<max_refs>{self.reformations}</max_refs>"
             f'<qn_method type="{self.method}"><max_ups>{self.updates}</max_ups></qn_method></solver></Control>'
         )
 
@@ -96,8 +93,8 @@ class Sketch:
     materials : mapping of str to (str, str)
         By body: FEBio's type, and what is inside.
     contacts : sequence of Touch
-    conditions : mapping of str to sequence of str
-        By section of the file (Boundary, Rigid, Loads, Initial, MeshAdaptor), its entries.
+    conditions : sequence of str
+        Entries of the sections Boundary, Rigid, Loads, Initial and MeshAdaptor.
     scheme : Scheme
     module : str
     globals : str
@@ -107,7 +104,7 @@ class Sketch:
     bodies: Mapping[str, Shape]
     materials: Mapping[str, tuple[str, str]]
     contacts: Sequence[Touch]
-    conditions: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    conditions: Sequence[str] = ()
     scheme: Scheme = USUAL
     module: str = "solid"
     globals: str = ""
@@ -119,15 +116,17 @@ class Sketch:
             for n, (body, (kind, inner)) in enumerate(self.materials.items(), 1)
         ]
         data = "ux;uy;uz" if self.module == "solid" else "ux;uy;uz;p"
-        sections = {name: entries for name, entries in self.conditions.items() if name not in _OF_A_DOCUMENT}
+        sections: dict[str, list[str]] = {}
+        for entry in self.conditions:
+            sections.setdefault(SECTION_OF[entry[1:].split(" ", 1)[0]], []).append(entry)
         return Document(
             self._mesh(),
             materials,
             module=self.module,
             control=self.scheme.text(self.module),
-            boundary=self.conditions.get("Boundary", ()),
-            rigid=self.conditions.get("Rigid", ()),
-            loads=self.conditions.get("Loads", ()),
+            boundary=sections.pop("Boundary", ()),
+            rigid=sections.pop("Rigid", ()),
+            loads=sections.pop("Loads", ()),
             contacts=[
                 small.contact(f"c{n}", f"pair{n}", touch.kind, touch.params) for n, touch in enumerate(self.contacts, 1)
             ],
@@ -159,7 +158,14 @@ class Sketch:
         return "\n".join([*lines, "</Mesh>", f"<MeshDomains>{domains}</MeshDomains>"])
 
 
-_OF_A_DOCUMENT = ("Boundary", "Rigid", "Loads")
+SECTION_OF = {
+    "bc": "Boundary",
+    **dict.fromkeys(("rigid_bc", "rigid_load", "rigid_connector"), "Rigid"),
+    **dict.fromkeys(("surface_load", "body_load"), "Loads"),
+    "ic": "Initial",
+    "mesh_adaptor": "MeshAdaptor",
+}
+"""By the tag of an entry, the section that it is in."""
 
 
 def _offsets(bodies: Mapping[str, Shape]) -> list[int]:
@@ -210,13 +216,10 @@ class Reported:
         What it stands for.
     draw : callable
         Its model.
-    module : str
-        FEBio's module.
     """
 
     about: str
     draw: Callable[[], Sketch]
-    module: str = "solid"
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""

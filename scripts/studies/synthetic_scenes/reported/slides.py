@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import Place, arc, box, mapped, shifted, turned
+from studies.synthetic_scenes.reported.shapes import Place, arc, box, bulged, mapped, shifted, turned
 from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
@@ -47,10 +45,7 @@ class Blocks:
         quadratic = self.element in ("hex20", "hex27", "tet10", "tet15", "penta15")
         low, high = ((6, 3, 2), (4, 2, 2)) if quadratic else ((10, 4, 3), (7, 3, 3))
 
-        def above(u: np.ndarray) -> np.ndarray:
-            points = box((-0.8, -0.4, 0.01), (0.8, 0.4, 0.9))(u)
-            bulge = self.round_face * points[:, 0] ** 2 * (1.0 - u[:, 2])
-            return np.asarray(points + np.column_stack([np.zeros((len(u), 2)), bulge]))
+        above = bulged(box((-0.8, -0.4, 0.01), (0.8, 0.4, 0.9)), lambda x: self.round_face * x[:, 0] ** 2)
 
         return Sketch(
             {
@@ -59,14 +54,12 @@ class Blocks:
             },
             {"low": self.material, "high": self.material},
             (Touch("high-z0", "low-z1", params=self.params),),
-            {
-                "Boundary": (
-                    fixed("low-z0", "x", "y", "z"),
-                    fixed("high-z1", "y"),
-                    moved("high-z1", "z", -0.12),
-                    moved("high-z1", "x", self.way, 3 if self.back else 2),
-                )
-            },
+            (
+                fixed("low-z0"),
+                fixed("high-z1", "y"),
+                moved("high-z1", "z", -0.12),
+                moved("high-z1", "x", self.way, 3 if self.back else 2),
+            ),
             Scheme(30) if self.back else self.scheme,
         )
 
@@ -103,15 +96,13 @@ class Groove:
             },
             {"groove": material, "cylinder": material},
             (Touch(self.primary, secondary, self.kind, self.params),),
-            {
-                "Boundary": (
-                    fixed("groove-x1", "x", "y", "z"),
-                    fixed("cylinder-x0", "x") if not self.slides else moved("cylinder-x0", "x", 0.15, 2),
-                    fixed("cylinder-x0", "y"),
-                    moved("cylinder-x0", "z", -0.12),
-                    *open_sides,
-                )
-            },
+            (
+                fixed("groove-x1"),
+                fixed("cylinder-x0", "x") if not self.slides else moved("cylinder-x0", "x", 0.15, 2),
+                fixed("cylinder-x0", "y"),
+                moved("cylinder-x0", "z", -0.12),
+                *open_sides,
+            ),
             Scheme(20 if self.slides else 10, updates=self.updates),
             module="biphasic" if self.porous else "solid",
         )
@@ -178,7 +169,6 @@ SCENES: Mapping[str, Reported] = {
     "groove-biphasic-two-pass": Reported(
         "incongruent porous cylinders, two passes",
         Groove(auto(1.0, TWO_PASS + NEAR + fluid(1.0)), kind="sliding-biphasic", porous=True),
-        "biphasic",
     ),
     "groove-biphasic-slides-augmented": Reported(
         "incongruent porous cylinders slide, two passes, AUGLAG with a small penalty, friction 0.1",
@@ -188,7 +178,6 @@ SCENES: Mapping[str, Reported] = {
             porous=True,
             slides=True,
         ),
-        "biphasic",
     ),
 }
 """By name."""

@@ -13,9 +13,9 @@ from studies.synthetic_scenes.reported.words import auto, given, hold, neo, pres
 SKIN = neo(10.0)
 
 
-def _bone(outer: float, x: float = 0.0, cells: tuple[int, int, int] = (2, 24, 3)) -> Shape:
+def _bone(outer: float, x: float = 0.0) -> Shape:
     """A rigid cylinder along y."""
-    return mapped(cells, shifted(turned(arc(0.5 * outer, outer, 3.0), "x", 90.0), (x, 0.0, 0.0)))
+    return mapped((2, 24, 3), shifted(turned(arc(0.5 * outer, outer, 3.0), "x", 90.0), (x, 0.0, 0.0)))
 
 
 def _strap(level: float, half: float, cells: tuple[int, int] = (24, 4), element: str = "quad4") -> Shape:
@@ -24,23 +24,21 @@ def _strap(level: float, half: float, cells: tuple[int, int] = (24, 4), element:
     return shell(cells, lambda u: flat(u) * (-1.0, 1.0, 1.0), 0.1, element)
 
 
-def _pulled(level: float) -> tuple[str, ...]:
+def _pulled() -> tuple[str, ...]:
     """Both ends of a strap are pulled down."""
-    del level
     ends = ("strap-x0", "strap-x1")
     return (*(fixed(end, "x", "y") for end in ends), *(moved(end, "z", -1.0) for end in ends))
 
 
 def strap_on_bone(
-    surface: str = "x1", element: str = "quad4", kind: str = "sliding-elastic", params: str = "", updates: int = 0
+    surface: str = "x1", element: str = "quad4", kind: str = "sliding-elastic", params: str = ""
 ) -> Sketch:
     """A strap is pulled over a rigid cylinder."""
     return Sketch(
         {"bone": _bone(2.0), "strap": _strap(2.02, 3.0, element=element)},
         {"bone": rigid(), "strap": SKIN},
         (Touch("strap-face", f"bone-{surface}", kind, params or auto(1.0, radius(0.5))),),
-        {"Boundary": _pulled(2.0), "Rigid": (hold("bone"),)},
-        Scheme(updates=updates),
+        (*_pulled(), hold("bone")),
     )
 
 
@@ -50,7 +48,7 @@ def strap_on_two_bones(reach: str) -> Sketch:
         {"one": _bone(1.2, -1.5), "two": _bone(1.2, 1.5), "strap": _strap(1.22, 3.5, (28, 4))},
         {"one": rigid((-1.5, 0, 0)), "two": rigid((1.5, 0, 0)), "strap": SKIN},
         tuple(Touch("strap-face", f"{bone}-outside", params=auto(1.0, reach)) for bone in ("one", "two")),
-        {"Boundary": _pulled(1.2), "Rigid": (hold("one"), hold("two"))},
+        (*_pulled(), hold("one"), hold("two")),
     )
 
 
@@ -62,10 +60,11 @@ def ball_in_trampoline(primary: str = "net-face", secondary: str = "ball-outside
         {"ball": mapped((5, 5, 5), shifted(ball(1.0), (0, 0, -0.98))), "net": net},
         {"ball": rigid((0, 0, -0.98)), "net": SKIN},
         (Touch(primary, secondary, params=auto(1.0, radius(0.6))),),
-        {
-            "Boundary": tuple(fixed(f"net-{edge}", "x", "y", "z") for edge in ("x0", "x1", "y0", "y1")),
-            "Rigid": (hold("ball", "xyuvw"), shift("ball", "z", 0.6)),
-        },
+        (
+            *tuple(fixed(f"net-{edge}") for edge in ("x0", "x1", "y0", "y1")),
+            hold("ball", "xyuvw"),
+            shift("ball", "z", 0.6),
+        ),
     )
 
 
@@ -76,10 +75,7 @@ def rod_on_plate() -> Sketch:
         {"rod": mapped((2, 20, 3), shifted(turned(arc(0.2, 0.5, 3.0), "x", 90.0), (0, 0, 0.48))), "plate": plate},
         {"rod": rigid((0, 0, 0.48)), "plate": SKIN},
         (Touch("plate-face", "rod-outside", params=auto(1.0, radius(0.3))),),
-        {
-            "Boundary": tuple(fixed(f"plate-{edge}", "x", "y", "z") for edge in ("x0", "x1")),
-            "Rigid": (hold("rod", "xyuvw"), push("rod", "z", -0.02)),
-        },
+        (*tuple(fixed(f"plate-{edge}") for edge in ("x0", "x1")), hold("rod", "xyuvw"), push("rod", "z", -0.02)),
     )
 
 
@@ -93,14 +89,12 @@ def shells_on_shells() -> Sketch:
         {"lower": lower, "upper": upper},
         {"lower": SKIN, "upper": SKIN},
         (Touch("upper-face", "lower-face", params=auto(1.0, radius(0.5))),),
-        {
-            "Boundary": (
-                *(fixed(f"lower-{edge}", "x", "y", "z") for edge in held),
-                *(fixed(f"upper-{edge}", "x", "y") for edge in held),
-                *(moved(f"upper-{edge}", "z", -0.1) for edge in held),
-            ),
-            "Loads": (press("upper-back", 0.002),),
-        },
+        (
+            *(fixed(f"lower-{edge}") for edge in held),
+            *(fixed(f"upper-{edge}", "x", "y") for edge in held),
+            *(moved(f"upper-{edge}", "z", -0.1) for edge in held),
+            press("upper-back", 0.002),
+        ),
     )
 
 
@@ -111,7 +105,7 @@ def strip_on_bone(element: str, sides: tuple[str, str], updates: int = 0, penalt
         {"bone": _bone(2.0), "strap": strip},
         {"bone": rigid(), "strap": neo(5.0)},
         (Touch(f"strap-{sides[0]}", f"bone-{sides[1]}", params=penalty or auto(1.0, radius(0.5))),),
-        {"Boundary": _pulled(2.0), "Rigid": (hold("bone"),)},
+        (*_pulled(), hold("bone")),
         Scheme(updates=updates),
     )
 

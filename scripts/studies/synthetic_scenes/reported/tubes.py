@@ -50,14 +50,7 @@ class RodInTube:
             {"rod": mapped(cells[0], rod, self.element), "tube": mapped(cells[1], tube, self.element)},
             {"rod": neo(2.0), "tube": neo(1.0)},
             (Touch(f"rod-{self.sides[0]}", f"tube-{self.sides[1]}", params=self.params or auto(5.0, NEAR)),),
-            {
-                "Boundary": (
-                    fixed("tube-x1", "x", "y", "z"),
-                    *(fixed(end, "y") for end in ends),
-                    *(moved(end, "x", 0.15) for end in ends),
-                    *drawn,
-                )
-            },
+            (fixed("tube-x1"), *(fixed(end, "y") for end in ends), *(moved(end, "x", 0.15) for end in ends), *drawn),
             Scheme(20 if self.slides else 10, updates=self.updates),
         )
 
@@ -69,7 +62,7 @@ def rigid_rod_in_tube(primary: str, secondary: str) -> Sketch:
         {"rod": mapped((1, 24, 4), rod), "tube": mapped((2, 24, 4), arc(1.02, 1.6, 2.4))},
         {"rod": rigid((0.125, 0, 0)), "tube": neo(1.0)},
         (Touch(primary, secondary, params=auto(1.0, NEAR)),),
-        {"Boundary": (fixed("tube-x1", "x", "y", "z"),), "Rigid": (hold("rod", "yzuvw"), push("rod", "x", 0.3))},
+        (fixed("tube-x1"), hold("rod", "yzuvw"), push("rod", "x", 0.3)),
     )
 
 
@@ -84,10 +77,7 @@ def ring_grows(params: str, updates: int = 0) -> Sketch:
         },
         {"ring": mooney(1.0, 0.0, 100.0), "tube": neo(0.2)},
         (Touch("ring-x1", "tube-x0", params=params),),
-        {
-            "Boundary": (*symmetry, *(fixed(f"{b}-{s}", "z") for b in ("ring", "tube") for s in ("z0", "z1"))),
-            "Loads": (press("ring-x0", 0.15),),
-        },
+        (*symmetry, *(fixed(f"{b}-{s}", "z") for b in ("ring", "tube") for s in ("z0", "z1")), press("ring-x0", 0.15)),
         Scheme(updates=updates),
     )
 
@@ -115,14 +105,12 @@ class Crossed:
             {"low": mapped(cells[0], low, self.element), "high": mapped(cells[1], high, self.element)},
             {"low": self.material, "high": self.material},
             (Touch(f"high-{self.side}", f"low-{self.side}", params=self.params),),
-            {
-                "Boundary": (
-                    *(fixed(f"low-{end}", "x", "y", "z") for end in ("z0", "z1")),
-                    *(fixed(end, "x") for end in ends),
-                    *away,
-                    *(moved(end, "z", -self.depth) for end in ends),
-                )
-            },
+            (
+                *(fixed(f"low-{end}") for end in ("z0", "z1")),
+                *(fixed(end, "x") for end in ends),
+                *away,
+                *(moved(end, "z", -self.depth) for end in ends),
+            ),
             Scheme(20 if self.slides else 10, updates=self.updates),
         )
 

@@ -10,10 +10,9 @@ def neo(modulus: float = 1.0, ratio: float = 0.3, density: float = 1e-9) -> Mate
     return "neo-Hookean", f"<density>{density:g}</density><E>{modulus:g}</E><v>{ratio:g}</v>"
 
 
-def mooney(c1: float = 0.2, c2: float = 0.05, bulk: float = 50.0, density: float = 1e-9) -> Material:
+def mooney(c1: float = 0.2, c2: float = 0.05, bulk: float = 50.0) -> Material:
     """Mooney-Rivlin."""
-    inner = f"<density>{density:g}</density><c1>{c1:g}</c1><c2>{c2:g}</c2><k>{bulk:g}</k>"
-    return "Mooney-Rivlin", inner
+    return "Mooney-Rivlin", f"<density>1e-09</density><c1>{c1:g}</c1><c2>{c2:g}</c2><k>{bulk:g}</k>"
 
 
 def ogden(c1: float = 0.3, m1: float = 4.0, bulk: float = 50.0) -> Material:

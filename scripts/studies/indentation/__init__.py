@@ -1,1 +1,0 @@
-"""Studies of problem 3.3: variants, extremes of concentration, convergence."""
