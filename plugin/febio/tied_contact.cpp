@@ -6,6 +6,7 @@
 #include "contact/tie/joint_output.h"
 #include "contact/tie/tie_output.h"
 #include "host/augmentation.h"
+#include "host/cohesive_zone.h"
 #include "offered_parameters.h"
 #include "present_step.h"
 #include "surface_materials.h"
@@ -15,6 +16,8 @@
 #include <FECore/FEException.h>
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
+
+#include <utility>
 
 using namespace mixture_contact;
 
@@ -185,6 +188,11 @@ void FEMixtureTie::step_solved() {
   DamageState damage = damage_after(*tie_, fields(), CurrentTime());
   store_output(damage);
   take_damage(std::move(damage));
+}
+
+void FEMixtureTie::step_failed() {
+  const Index softening = iterations_.softening_bonds();
+  if (softening > 0 && !std::exchange(gave_advice_, true)) log_.line(failed_softening_line(log_.title(), softening));
 }
 
 void FEMixtureTie::take_damage(DamageState damage) {
