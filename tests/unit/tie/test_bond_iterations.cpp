@@ -115,19 +115,23 @@ struct Turning {
 
 }  // namespace
 
+// 336 solutions that a turn of the body makes unstable, in models that deviate from symmetry by one percent.
 BOOST_AUTO_TEST_CASE(iterations_leave_solutions_that_are_unstable_for_a_turn) {
   Eigen::Matrix2d mean, turn;
   mean << 0.5, 0.5, 0.5, 0.5;
   turn << 0.5, -0.5, -0.5, 0.5;
-  for (const double against_turns : {0.8, 0.6, 0.3}) {
-    for (const double asymmetry : {-1e-2, 1e-2}) {
-      Turning scene;
-      const double opening = 0.5 * (onset + failure);
-      const double drawn = opening + 0.005 / (4 * softening);
-      const Eigen::Vector2d found = scene.solution(softening * (4 * mean + against_turns * turn),
-                                                   {drawn * (1 + asymmetry), drawn * (1 - asymmetry)});
-      BOOST_TEST(found.maxCoeff() > 1.5 * opening);
-      BOOST_TEST(found.minCoeff() < onset);
+  Turning scene;
+  for (int n = 0; n < 12; ++n) {
+    const double against_turns = 0.1 + n * 0.87 / 11;
+    for (const double against_mean : {1.5, 2.5, 4.0, 8.0}) {
+      const Eigen::Matrix2d springs = softening * (against_mean * mean + against_turns * turn);
+      for (int i = 1; i <= 7; ++i) {
+        const double opening = 0.05 * i;
+        const double drawn = opening + (failure - opening) / against_mean;
+        const Eigen::Vector2d found = scene.solution(springs, {drawn * 1.01, drawn * 0.99});
+        const bool one_bond_unloads_or_breaks = found.minCoeff() < onset || found.maxCoeff() > failure;
+        BOOST_TEST(one_bond_unloads_or_breaks);
+      }
     }
   }
 }
