@@ -17,8 +17,6 @@
 #include <FECore/FEModel.h>
 #include <FECore/FENewtonSolver.h>
 
-#include <utility>
-
 using namespace mixture_contact;
 
 BEGIN_FECORE_CLASS(FEMixtureTie, FEContactInterface)
@@ -191,8 +189,7 @@ void FEMixtureTie::step_solved() {
 }
 
 void FEMixtureTie::step_failed() {
-  const Index softening = iterations_.softening_bonds();
-  if (softening > 0 && !std::exchange(gave_advice_, true)) log_.line(failed_softening_line(log_.title(), softening));
+  if (iterations_.is_any_softening()) log_.line_once(failed_softening_line(log_.title()));
 }
 
 void FEMixtureTie::take_damage(DamageState damage) {

@@ -68,7 +68,6 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   /// Sliding contact of broken nodes, owned by the model; null if no node can break.
   FESurfacePairConstraint* sliding_ = nullptr;
   bool is_augmented_ = true;                    ///< true if no augmentation is needed at the last solution
-  bool gave_advice_ = false;                    ///< true if the log has the advice for failed steps
   mixture_contact::BondIterations iterations_;  ///< softening in the iterations of the step
   mixture_contact::VectorXd step_start_;        ///< unknown multipliers at the start of the step
 

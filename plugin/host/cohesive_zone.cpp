@@ -60,9 +60,9 @@ std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, 
   return text.str();
 }
 
-std::string failed_softening_line(const std::string& tie, Index bonds) {
-  return tie + ": " + std::to_string(bonds) +
-         " bonds soften in the step that has failed. A step in which a crack jumps over several nodes takes 50 to 100 "
+std::string failed_softening_line(const std::string& tie) {
+  return tie +
+         ": bonds soften in the step that has failed. A step in which a crack jumps over several nodes takes 50 to 100 "
          "iterations: set <max_refs> to 150, <max_ups> and <lstol> to 0, and <dtol> to 1e-6. If steps still fail, use "
          "shorter steps, finer facets or <viscosity>. The log reports this once in a run.";
 }

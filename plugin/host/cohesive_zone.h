@@ -23,4 +23,4 @@ std::string cohesive_zone_line(const mixture_contact::Tie& tie, const FacetMater
                                const mixture_contact::PerSide<mixture_contact::Matrix3Xd>& position);
 
 /// Reports that a step failed in which bonds of a cohesive tie soften, with a remedy. `tie`: type and name of the tie.
-std::string failed_softening_line(const std::string& tie, mixture_contact::Index bonds);
+std::string failed_softening_line(const std::string& tie);

@@ -26,8 +26,8 @@ double BondIterations::next_softening(double quotient) const {
   return rho > 1 ? std::max(0.0, 1 / rho - missing) : 1 - missing;
 }
 
-Index BondIterations::softening_bonds() const {
-  return std::count_if(phases_.begin(), phases_.end(), [](Phase phase) { return phase != Phase::constant; });
+bool BondIterations::is_any_softening() const {
+  return std::any_of(phases_.begin(), phases_.end(), [](Phase phase) { return phase != Phase::constant; });
 }
 
 void BondIterations::begin(const Tie& tie, const PerSide<SurfaceFields>& fields) {

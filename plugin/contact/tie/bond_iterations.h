@@ -23,8 +23,8 @@ class BondIterations {
   void begin(const Tie& tie, const PerSide<SurfaceFields>& fields);
   /// The part of softening that the next derivative includes, between 0 and 1.
   double softening() const { return softening_; }
-  /// The number of bonds whose damage has grown since the last accepted state, at the start of the last iteration.
-  Index softening_bonds() const;
+  /// True if the damage of a bond has grown since the last accepted state, at the start of the last iteration.
+  bool is_any_softening() const;
 
  private:
   /// Whether the damage of a bond grows from the last accepted state to the present one, or has reached 1.
