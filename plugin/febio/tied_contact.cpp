@@ -55,7 +55,7 @@ bool FEMixtureTie::Init() {
   log_.errors(wrong);
   if (!wrong.empty() || !prepare_surfaces() || !setup_.check()) return false;
   if (parameters_.gap.node_reloc && !close_gaps()) return false;
-  if (may_break()) add_sliding_contact();
+  if (parameters_.breaking.max_traction.given) add_sliding_contact();
   return true;
 }
 

@@ -43,7 +43,6 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   void step_failed() override;
 
  private:
-  bool may_break() const { return parameters_.breaking.max_traction.given; }
   bool prepare_surfaces();
   void add_sliding_contact();
   FEMixtureContact& sliding() const { return static_cast<FEMixtureContact&>(*sliding_); }
