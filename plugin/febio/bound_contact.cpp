@@ -135,13 +135,13 @@ bool BoundContact::finds_overlap() {
   return !is_solution();
 }
 
-void BoundContact::fail_step() {
-  if (!core_->effects().traction) return;
+std::string BoundContact::fail_step() {
+  if (!core_->effects().traction) return "";
   const bool began_open = begins_open_.value_or(false);
   NodalLaws& laws = core_->pass(0).laws();
   const bool bears_nothing = !laws.has_twin() && laws.multipliers.accepted_traction.isZero(0);
   if (began_open || bears_nothing) laws.close_overlapped = true;
-  if (began_open && !std::exchange(said_open_, true)) log_.line(open_contact_line(log_.name()));
+  return began_open && !std::exchange(said_open_, true) ? open_contact_line(log_.name()) : "";
 }
 
 void BoundContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {

@@ -51,9 +51,10 @@ class BoundContact : public mixture_contact::SteppedContact {
   bool is_solution() override { return core_->is_solution(fields()); }
   bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(*core_, fields()); }
   bool finds_overlap() override;
-  /// Notes that a step has failed. Reports once if the step began without a node in contact. In this case, and before
-  /// contact has borne a load, the next attempt begins with contact at all nodes around overlapping points.
-  void fail_step();
+  /// Notes that a step has failed. If the step began without a node in contact, and before contact has borne a load,
+  /// the next attempt begins with contact at all nodes around overlapping points. Returns a line for the log the first
+  /// time that a failed step began without a node in contact, otherwise an empty text.
+  std::string fail_step();
 
   /// Sets the unknown multipliers of a trial state: values at the start of the step plus FEBio's increments.
   void set_multipliers(const std::vector<double>& total, const std::vector<double>& increment);

@@ -4,6 +4,7 @@
 #include <FECore/FECoreBase.h>
 #include <FECore/log.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ class ContactLog {
 
   // The next functions write sentences that name the contact themselves.
   void line(const std::string& sentence) const { feLogEx(contact_.GetFEModel(), "%s\n", sentence.c_str()); }
+  /// Writes a sentence that this log has not written so before.
+  void line_once(const std::string& sentence) {
+    if (written_.insert(sentence).second) line(sentence);
+  }
   void warning(const std::string& sentence) const { feLogWarningEx(contact_.GetFEModel(), "%s", sentence.c_str()); }
 
   std::string name() const { return contact_.GetName(); }
@@ -42,4 +47,5 @@ class ContactLog {
   std::string subject() const { return title() + ": "; }
 
   FECoreBase& contact_;
+  std::set<std::string> written_;  ///< sentences that line_once() has written
 };

@@ -199,7 +199,14 @@ void FEMixtureContact::on_callback(unsigned int when) {
     core().accept_step(bound_.fields());
     if (owner_ != nullptr) owner_->step_solved();
   }
-  if (when == CB_TIMESTEP_FAILED) bound_.fail_step();
+  if (when == CB_TIMESTEP_FAILED) {
+    const std::string advice = bound_.fail_step();
+    if (owner_ != nullptr) {
+      owner_->step_failed();
+    } else if (!advice.empty()) {
+      log_.line(advice);
+    }
+  }
   if (when == CB_SOLVED) output_.log_timings();
 }
 

@@ -37,6 +37,8 @@ class ContactOwner {
   virtual bool accepts_solution() = 0;
   /// Called after a time step has been solved and accepted by the contact.
   virtual void step_solved() = 0;
+  /// Called after an attempt at a time step has failed. The contact gives no advice of its own.
+  virtual void step_failed() = 0;
 };
 
 /// Receives FEBio's calls. It passes calls that concern this contact to its parts, and those that concern all contacts

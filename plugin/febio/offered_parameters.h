@@ -15,10 +15,14 @@ inline const char* unit_of(Unit unit) {
   switch (unit) {
     case Unit::length:
       return UNIT_LENGTH;
+    case Unit::time:
+      return UNIT_TIME;
     case Unit::pressure:
       return UNIT_PRESSURE;
     case Unit::concentration:
       return UNIT_CONCENTRATION;
+    case Unit::energy_per_area:
+      return UNIT_ENERGY_AREAL_DENSITY;
     case Unit::none:
       break;
   }

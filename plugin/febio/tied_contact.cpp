@@ -6,6 +6,7 @@
 #include "contact/tie/joint_output.h"
 #include "contact/tie/tie_output.h"
 #include "host/augmentation.h"
+#include "host/cohesive_zone.h"
 #include "offered_parameters.h"
 #include "present_step.h"
 #include "surface_materials.h"
@@ -54,7 +55,7 @@ bool FEMixtureTie::Init() {
   log_.errors(wrong);
   if (!wrong.empty() || !prepare_surfaces() || !setup_.check()) return false;
   if (parameters_.gap.node_reloc && !close_gaps()) return false;
-  if (may_break()) add_sliding_contact();
+  if (parameters_.breaking.max_traction.given) add_sliding_contact();
   return true;
 }
 
@@ -185,6 +186,10 @@ void FEMixtureTie::step_solved() {
   DamageState damage = damage_after(*tie_, fields(), CurrentTime());
   store_output(damage);
   take_damage(std::move(damage));
+}
+
+void FEMixtureTie::step_failed() {
+  if (iterations_.is_any_softening()) log_.line_once(failed_softening_line(log_.title()));
 }
 
 void FEMixtureTie::take_damage(DamageState damage) {

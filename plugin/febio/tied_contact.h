@@ -40,9 +40,9 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
   bool accepts_solution() override;
   void step_solved() override;
+  void step_failed() override;
 
  private:
-  bool may_break() const { return parameters_.breaking.max_traction.given; }
   bool prepare_surfaces();
   void add_sliding_contact();
   FEMixtureContact& sliding() const { return static_cast<FEMixtureContact&>(*sliding_); }

@@ -59,3 +59,10 @@ std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, 
       << "the surface, or choose a smaller <max_traction>, which hardly changes the growth of a crack.";
   return text.str();
 }
+
+std::string failed_softening_line(const std::string& tie) {
+  return tie +
+         ": bonds soften in the step that has failed. A step in which a crack jumps over several nodes takes 50 to 100 "
+         "iterations: set <max_refs> to 150, <max_ups> and <lstol> to 0, and <dtol> to 1e-6. If steps still fail, use "
+         "shorter steps, finer facets or <viscosity>. The log reports this once in a run.";
+}

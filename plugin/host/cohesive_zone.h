@@ -21,3 +21,6 @@ double cohesive_zone(const mixture_contact::Cohesive& law, double modulus);
 /// nodes.
 std::string cohesive_zone_line(const mixture_contact::Tie& tie, const FacetMaterials& materials,
                                const mixture_contact::PerSide<mixture_contact::Matrix3Xd>& position);
+
+/// Reports that a step failed in which bonds of a cohesive tie soften, with a remedy. `tie`: type and name of the tie.
+std::string failed_softening_line(const std::string& tie);

@@ -152,7 +152,7 @@ inline constexpr HelperSwitch line_search_guard{newton::Device::line_search_guar
 inline constexpr std::array<HelperSwitch, 3> helper_switches{non_negative_concentrations, line_search_guard, predictor};
 
 /// The unit of a parameter in FEBio Studio.
-enum class Unit { none, length, pressure, concentration };
+enum class Unit { none, length, time, pressure, concentration, energy_per_area };
 
 /// The subject of a parameter, in the order of the documentation.
 enum class ParameterGroup {

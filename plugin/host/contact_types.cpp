@@ -21,10 +21,14 @@ const char* word_of(Unit unit) {
   switch (unit) {
     case Unit::length:
       return "length";
+    case Unit::time:
+      return "time";
     case Unit::pressure:
       return "pressure";
     case Unit::concentration:
       return "concentration";
+    case Unit::energy_per_area:
+      return "energy per area";
     case Unit::none:
       break;
   }

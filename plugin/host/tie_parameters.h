@@ -38,10 +38,12 @@ void for_each_breaking_parameter(BreakingParameters& p, const Take& take) {
   const TakeGiven<Take> take_given{take};
   take_given({"max_traction", "strength in tension", Group::breaking, Unit::pressure}, p.max_traction);
   take_given({"max_shear", "strength in shear", Group::breaking, Unit::pressure}, p.max_shear);
-  take_given({"fracture_energy", "fracture energy in tension", Group::breaking}, p.fracture_energy);
-  take_given({"fracture_energy_shear", "fracture energy in shear", Group::breaking}, p.fracture_energy_shear);
+  take_given({"fracture_energy", "fracture energy in tension", Group::breaking, Unit::energy_per_area},
+             p.fracture_energy);
+  take_given({"fracture_energy_shear", "fracture energy in shear", Group::breaking, Unit::energy_per_area},
+             p.fracture_energy_shear);
   take_given({"mixing", "exponent of mixed modes", Group::breaking}, p.mixing);
-  take_given({"viscosity", "time constant of damage", Group::breaking}, p.viscosity);
+  take_given({"viscosity", "time constant of damage", Group::breaking, Unit::time}, p.viscosity);
 }
 
 /// Calls take(tag, value) for each parameter of a tie that cannot break.

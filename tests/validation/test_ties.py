@@ -119,6 +119,46 @@ def test_bodies_that_are_tied_turn_without_stress(solve, laugon, gap):
     assert np.abs(force_and_moment).max() <= 1e-9
 
 
+PRESSED_ON = '<surface_load type="pressure" surface="{}"><pressure lc="2">{}</pressure></surface_load>'
+
+
+@pytest.mark.parametrize("gap", [0.05, -0.03])
+@pytest.mark.parametrize("laugon", ["PENALTY", "LAGMULT"])
+def test_loads_and_moments_turn_with_bodies_through_a_kept_gap(solve, laugon, gap):
+    """Pressures on two faces of the upper body, whose loads turn with the faces."""
+    document, parts = turned(f"<laugon>{laugon}</laugon>", gap)
+    loads = (PRESSED_ON.format("up-top", 0.1), PRESSED_ON.format("up-right", 0.05))
+    document = replace(document, loads=loads, curves=(*document.curves, curve(2, (0, 0), (1, 1))))
+    still = replace(document, rigid=(document.rigid[0].replace("<Rv", "<Ru_dof>1</Ru_dof><Rv"),))
+    folders = [solve(name, each)[0] for name, each in (("turned", document), ("still", still))]
+    places = [np.array(parts.nodes) + small.table(folder / "nodes.txt")[-1] for folder in folders]
+    quarter = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]])
+    assert np.abs(places[1] - np.array(parts.nodes)).max() > 0.05
+    assert np.abs(places[0] - places[1] @ quarter.T).max() <= 1e-10
+    loads = [small.table(folder / "rigid-1.txt")[-1, 0] for folder in folders]
+    allowed = 1e-9 if laugon == "PENALTY" else 1e-10
+    for part in (slice(0, 3), slice(3, 6)):
+        assert np.abs(loads[1][part]).max() > 0.05
+        assert np.abs(loads[0][part] - quarter @ loads[1][part]).max() <= allowed
+
+
+# ---- linear solvers ----
+
+
+@pytest.mark.parametrize("laugon", ["PENALTY", "AUGLAG", "LAGMULT"])
+def test_direct_solvers_find_the_same_solution(solve, laugon):
+    """`skyline` with the symmetric part of the matrix: steps that are solved to rounding have the same solution."""
+    document, _ = column("solute", f"<laugon>{laugon}</laugon>", cells=(2, 3))
+    found = {}
+    for solver in ("pardiso", "mkl_dss", "skyline"):
+        text = document.text().replace("</qn_method>", f'</qn_method><linear_solver type="{solver}"/>')
+        if solver == "skyline":
+            text = text.replace(">non-symmetric<", ">symmetric<")
+        found[solver] = small.table(solve(solver, text)[0] / "nodes.txt")[-1]
+    for solver in ("mkl_dss", "skyline"):
+        assert np.abs(found[solver] - found["pardiso"]).max() <= 1e-10
+
+
 # ---- balances, restarts, threads ----
 
 FLOWS = "contact_force.x;contact_force.y;contact_force.z;contact solvent flow;contact solute flow 1"

@@ -50,7 +50,7 @@ struct SurfaceFields {
   /// Scalar fields, shape (nodes, fields): p~ [MPa] and c~ [mM] in the order of Effects; then the p~ that only friction
   /// reads, if any (Effects::nodal_fields).
   MatrixXd scalar;
-  RigidParts rigid;  ///< the rigid bodies that can move
+  RigidParts rigid = {};  ///< the rigid bodies that can move
 
   std::size_t memory() const;  ///< memory of the values [bytes]
 };

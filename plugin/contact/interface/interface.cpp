@@ -126,7 +126,9 @@ ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, S
       check_{settings_of_check(settings_), NodeFlags(mesh_[Side::secondary].nodes, false), {}},
       measurements_(effects_.scalar_fields()) {
   if (settings_.two_pass && settings_.enforcement == Enforcement::lagrange_multipliers) {
-    throw std::invalid_argument("unknown multipliers on both surfaces contradict each other");
+    throw std::invalid_argument(
+        "unknown multipliers on both surfaces have twice as many conditions as the surfaces can meet: set one pass, or "
+        "AUGLAG");
   }
   passes_.push_back(make_pass(Side::primary, mesh_, effects_, settings_));
   if (settings_.two_pass) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, settings_));

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scenes.tied_columns import steps
+from scenes.tied_columns import MODULES, SOLUTES, held, initial, mixed, reachable, steps
 from studies.models.small import Document, Parts, contact, curve, elastic, fixed, moved
 
 Array = NDArray[np.float64]
@@ -71,6 +72,8 @@ def pressed_and_slid(params: str, *, cells: tuple[int, int] = (2, 3), number: in
     parts = Parts()
     parts.box("low", (0, 0, 0), (3, 1, 0.5), (3 * cells[0], cells[0], 2), "low")
     parts.box("up", (0, 0, 0.5), (1, 1, 1), (cells[1], cells[1], 2), "up")
+    for part in parts.parts:
+        parts.node_sets[f"{part.name}-all"] = sorted({n for e in part.elements for n in e})
     down = ((0, 0), (1, 0.1), (2, -PRESSED), (5, -PRESSED))
     across = ((0, 0), (2, 0), (3, 0.7), (4, 0.1), (5, 0.5))
     return Document(
@@ -86,4 +89,28 @@ def pressed_and_slid(params: str, *, cells: tuple[int, int] = (2, 3), number: in
         contacts=(contact("tie", "pair", "tied-mixture", params),),
         curves=(curve(1, *down), curve(2, *across)),
         surface_data=dict.fromkeys(("up-bottom", "low-top"), BONDS),
+    )
+
+
+CYCLES = ((0, 0), (0.25, 0.012), (0.5, 0), (0.625, -0.005), (1, 0.1), (2, -PRESSED), (4, -PRESSED), (5, -2 * PRESSED))
+"""Time and displacement along z of a block that is drawn, let go, pressed, drawn off, and pressed down again, mm."""
+FLOWS = "contact solvent flow;contact solute flow 1"
+CONTENTS = {"low": 1.0, "up": 0.5}
+"""Effective concentration of the blocks at first, mM."""
+
+
+def soaked_blocks(params: str, *, number: int = 40) -> Document:
+    """The blocks of `pressed_and_slid` with fluid and a solute, in cycles of load. Both ends are drained."""
+    dry = pressed_and_slid(params, number=number)
+    return replace(
+        dry,
+        materials=[mixed(name, n) for n, name in enumerate(CONTENTS, 1)],
+        module="solute",
+        control=reachable(steps("solute", number, 5 / number, "TRANSIENT")),
+        boundary=[*dry.boundary, *(held("fluid pressure", where, 0.0) for where in ("up-top", "low-bottom"))],
+        curves=(curve(1, *CYCLES), dry.curves[1]),
+        node_data=MODULES["solute"],
+        surface_data=dict.fromkeys(dry.surface_data, f"{BONDS};{FLOWS}"),
+        globals=SOLUTES,
+        further={"Initial": [initial(f"{name}-all", value) for name, value in CONTENTS.items()]},
     )

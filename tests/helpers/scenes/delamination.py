@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from scenes.breaking_blocks import BONDS
-from scenes.tied_columns import EXACTLY
+from scenes.breaking_blocks import BONDS, CONTENTS, FLOWS
+from scenes.tied_columns import EXACTLY, MODULES, SOLUTES, held, initial, mixed, reachable
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
 
 Array = NDArray[np.float64]
@@ -112,6 +112,28 @@ def double_cantilever_beam(strips: Strips) -> Document:
     parts = two_strips(strips)
     ends = [moved("up-left", "z", 0.5 * strips.opening), moved("low-left", "z", -0.5 * strips.opening)]
     return document(strips, parts, [fixed("low-right", "x"), *ends])
+
+
+def soaked_beam(strips: Strips) -> Document:
+    """The beam with fluid and a solute, more in the lower strip. Its outer faces are drained, and keep the solute."""
+    parts = two_strips(strips)
+    for part in parts.parts:
+        parts.node_sets[f"{part.name}-all"] = sorted({n for e in part.elements for n in e})
+    dry = double_cantilever_beam(strips)
+    further = EXACTLY.split("<etol>", maxsplit=1)[1].split("</etol>", maxsplit=1)[1]
+    transient = dry.control.replace("STATIC", "TRANSIENT").replace('type="solid"', 'type="solute"')
+    return replace(
+        dry,
+        mesh=parts.mesh({"tie": ("up-tied", "low-tied"), "crack": ("up-crack", "low-crack")}),
+        materials=[mixed(n, k).replace("<E>1.0<", f"<E>{strips.modulus}<") for k, n in enumerate(("low", "up"), 1)],
+        module="solute",
+        control=transient.replace("<lstol>", f"{reachable(further)}<lstol>"),
+        boundary=[*dry.boundary, *(held("fluid pressure", where, 0.0) for where in ("up-top", "low-bottom"))],
+        node_data=f"{MODULES['solute']};Rz",
+        surface_data=dict.fromkeys(("up-tied", "low-tied"), f"{BONDS};viscous energy;{FLOWS}"),
+        globals=SOLUTES,
+        further={"Initial": [initial(f"{name}-all", value) for name, value in CONTENTS.items()]},
+    )
 
 
 WHOLE = (0.2, 0.85)

@@ -20,6 +20,7 @@ from harness.models.mesh import Mesh, Part
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param, fix
 from scenes.nonmatching import STEADY
 from studies.models.quadratic import quadratic
+from studies.models.tetrahedra import tetrahedra
 
 Array = NDArray[np.float64]
 
@@ -51,7 +52,7 @@ class Harmonic:
     level : int
         The lower block has 2 `level` x 2 `level` elements, the upper one 3 `level` x 2 `level`.
     nodes : int
-        8 or 20 nodes an element.
+        Of an element: 8 or 20 of a hexahedron, 10 of a tetrahedron, of which a hexahedron has six.
     settings : ContactSettings, optional
     name : str
     """
@@ -83,18 +84,21 @@ class Harmonic:
         faces = [blocks.facets_where(body, lambda x: np.abs(x[..., 2]) < NEAR) + 1 for body in bodies]
         parts = (Part("lower", "gel", bodies[0].elements + 1), Part("upper", "gel", bodies[1].elements + offset + 1))
         surfaces = {"lower-top": faces[0], "upper-bottom": faces[1] + offset}
-        pairs = {"contact": ("upper-bottom", "lower-top")}
-        mesh = Mesh(nodes, parts, {}, surfaces, pairs)
-        mesh = quadratic(mesh, 20) if self.nodes == 20 else mesh
-        x, _, z = mesh.nodes.T
-        number = np.arange(1, len(mesh.nodes) + 1, dtype=np.int64)
-        outer = number[(np.abs(x - 0.5) > 0.5 - NEAR) | (np.abs(z) > 1.0 - NEAR)]
-        return replace(mesh, node_sets={"all": number, "outer": outer})
+        mesh = Mesh(nodes, parts, {}, surfaces, {"contact": ("upper-bottom", "lower-top")})
+        return _with_sets(quadratic(mesh, 20) if self.nodes in (10, 20) else mesh)
 
     def _block(self, bottom: float, across: int) -> blocks.Body:
         lines = (np.linspace(0.0, 1.0, across + 1), np.linspace(0.0, 0.5, 2))
         height = np.linspace(bottom, bottom + 1.0, 2 * self.level + 1)
-        return blocks.structured(np.stack(np.meshgrid(*lines, height, indexing="ij"), axis=-1))
+        body = blocks.structured(np.stack(np.meshgrid(*lines, height, indexing="ij"), axis=-1))
+        return tetrahedra(body) if self.nodes == 10 else body
+
+
+def _with_sets(mesh: Mesh) -> Mesh:
+    """The mesh with the sets of all nodes and of those on the outer faces."""
+    outer = (np.abs(mesh.nodes[:, 0] - 0.5) > 0.5 - NEAR) | (np.abs(mesh.nodes[:, 2]) > 1.0 - NEAR)
+    number = np.arange(1, len(mesh.nodes) + 1, dtype=np.int64)
+    return replace(mesh, node_sets={"all": number, "outer": number[outer]})
 
 
 def _conditions() -> tuple[Condition, ...]:

@@ -53,6 +53,21 @@ def prescribed(kind: str, where: str, value: float, dof: str = "") -> str:
     return f'<bc type="prescribed {kind}" node_set="{where}">{inner}</bc>'
 
 
+def held(kind: str, where: str, value: float, dof: str = "") -> str:
+    """A prescribed pressure or concentration that is constant."""
+    return f'<bc type="prescribed {kind}" node_set="{where}">{dof}<value>{value}</value><relative>0</relative></bc>'
+
+
+def initial(where: str, value: float) -> str:
+    """An initial concentration of the solute."""
+    return f'<ic type="initial concentration" node_set="{where}"><dof>c1</dof><value>{value}</value></ic>'
+
+
+def reachable(control_section: str) -> str:
+    """The same steps with tolerances of pressure and concentration that the rounding of fluxes leaves."""
+    return re.sub(r"<([pc]tol)>1e-9<", r"<\1>1e-6<", control_section)
+
+
 def column(
     module: str, params: str | None, *, cells: tuple[int, int] = (3, 3), gap: float = 0.0, kind: str = "tied-mixture"
 ) -> tuple[Document, Parts]:
