@@ -66,7 +66,11 @@ class FacetPairs {
 };
 
 /// The ray from a point xi of a facet along the facet's outward normal. `reach` and `tolerance`: as in Ray.
-Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
+Ray normal_ray(FacetType type, const FacetCoordinates& x, const Vector2d& xi, double reach, double tolerance);
+inline Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach,
+                      double tolerance) {
+  return normal_ray(facet.type, facet_coordinates(facet, positions), xi, reach, tolerance);
+}
 
 /// Pointers to the pairs whose primary facets contain a node.
 using PairsAround = Span<const FacetPair*>;

@@ -74,9 +74,8 @@ Oppositions oppositions(const FacingPairs& facing, const FacingPositions& x) {
   Oppositions found{VectorXd::Zero(facing.primary().facets.count()), VectorXd::Zero(facing.primary().nodes)};
   for (const FacetPair& pair : facing.pairs()) {
     const Facet& one = facing.primary_facet(pair);
-    const Facet& two = facing.secondary_facet(pair);
-    const Vector3d n1 = middle_normal(one.type, facet_coordinates(one, x.primary));
-    const Vector3d n2 = middle_normal(two.type, facet_coordinates(two, x.secondary));
+    const Vector3d n1 = middle_normal(one, x.primary);
+    const Vector3d n2 = middle_normal(facing.secondary_facet(pair), x.secondary);
     found.facets[pair.primary] = std::max(found.facets[pair.primary], -n1.dot(n2));
     for (const int node : one) found.nodes[node] = std::max(found.nodes[node], found.facets[pair.primary]);
   }
