@@ -280,6 +280,10 @@ FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& position
   return coordinates;
 }
 
+FacetCoordinates facet_columns(const Facet& facet, const Matrix3Xd& vectors) {
+  return vectors.size() > 0 ? facet_coordinates(facet, vectors) : FacetCoordinates(3, 0);
+}
+
 FacetVector facet_values(const Facet& facet, const NodalField& field) {
   const int n = node_count(facet.type);
   FacetVector values(n);

@@ -83,6 +83,9 @@ Index number_in(const Facet& facet, Index node);
 /// The columns of a per-node array for the nodes of a facet, shape (3, n).
 FacetCoordinates facet_coordinates(const Facet& facet, const Matrix3Xd& positions);
 
+/// facet_coordinates(), or no columns if the array is empty.
+FacetCoordinates facet_columns(const Facet& facet, const Matrix3Xd& vectors);
+
 /// A scalar field with one value per node: a view of a vector, or of a column or row of a matrix.
 using NodalField = Eigen::Ref<const VectorXd, 0, Eigen::InnerStride<>>;
 

@@ -44,16 +44,17 @@ SampledFacet sampled(const Facet& facet, const Matrix3Xd& x, std::pmr::memory_re
 inline constexpr std::size_t max_pieces = 6;
 /// Upper bound for most facets of the memory of all pieces, with their polygons and tilts [bytes].
 template <class Number>
-inline constexpr std::size_t
-    bytes_of_pieces = max_pieces * (sizeof(Piece<Number>) + max_piece_corners * sizeof(Place<Number>) + sizeof(ViewTilt));
+inline constexpr std::size_t bytes_of_pieces = max_pieces *
+                                               (sizeof(Piece<Number>) + max_piece_corners * sizeof(Place<Number>) +
+                                                sizeof(ViewTilt));
 
 /// Adds the points between a primary facet and a secondary facet at x2 to the last pair. `circle`: around the secondary
 /// facet. `order`: order of the quadrature rule. Returns true if there is a point and all points were projected.
 bool add_points_between(const SampledFacet& primary, const Facet& two, const Matrix3Xd& x2, const Circle& circle,
                         int order, FacetPairs& pairs);
 
-/// Calls use(motion) with the motion of each point of a pair, in order. `points`: points that add_points_between() found
-/// at these positions.
+/// Calls use(motion) with the motion of each point of a pair, in order. `points`: points that add_points_between()
+/// found at these positions.
 void for_each_overlap_motion(const PointsOfPair& points, const PlacedFacet& primary, const PlacedFacet& secondary,
                              int order, const UseMotion& use);
 

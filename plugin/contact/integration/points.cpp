@@ -119,7 +119,7 @@ GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVecto
   neighbours_.resize(points_.size());
 }
 
-bool GaussPoints::begin_iteration() {
+bool GaussPoints::keep_lost_points() {
   bool finds_more = false;
   for (ProjectionHistory& history : histories_) {
     const bool lost = history.at_iteration != unpaired && history.facet == unpaired;

@@ -127,7 +127,7 @@ bool Segments::is_kept(const FacetPair& pair) const {
   return found != losses_.end() && found->second >= most_losses;
 }
 
-bool Segments::begin_iteration() {
+bool Segments::keep_lost_points() {
   std::vector<Facing> lost;
   std::set_difference(at_iteration_.begin(), at_iteration_.end(), paired_.begin(), paired_.end(),
                       std::back_inserter(lost));

@@ -41,7 +41,7 @@ class Segments : public PointFinder {
 
   FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
-  bool begin_iteration() override;
+  bool keep_lost_points() override;
   bool end_iterations() override;
   bool moves_points() const override { return true; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
