@@ -1,7 +1,6 @@
 #include "newton.h"
 
 #include "contact/interface/corrections.h"
-#include "contact/interface/held_loads.h"
 #include "error.h"
 #include "host/augmentation.h"
 #include "host/warnings.h"

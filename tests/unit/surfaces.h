@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/geometry/quadrature.h"
+#include "contact/geometry/sub_facets.h"
 #include "contact/interface/multipliers.h"
 #include "contact/interface/output.h"
 #include "random_contact.h"

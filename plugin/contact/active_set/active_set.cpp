@@ -25,15 +25,21 @@ bool slides_back(const NodalLoads& predicted, Index node) {
   return predicted.slips[node] && predicted.friction.trial.col(node).dot(predicted.friction.reference_of(node)) < 0;
 }
 
+/// The flags of nodes: `known` for those in contact in both states, `own` for the others.
+NodeFlags with_known(NodeFlags own, const NodeFlags& known, const NodalLoads& last, const NodalLoads& now) {
+  for (Index node = 0; node < own.count(); ++node) {
+    if (now.in_contact[node] && last.in_contact[node]) own[node] = known[node];
+  }
+  return own;
+}
+
 }  // namespace
 
 NodeFlags ActiveSet::initial(const NodalGaps& now) const {
   const double touch = options_.touch_fraction * now.size;
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
-    // Surfaces without traction are in contact by their gaps, for any penalty.
-    const double penalty = laws_.effects().traction ? laws_.traction_penalty(node) : laws_.penalties().stiffness[node];
-    const LawValue trial = augmented(laws_.multipliers.traction[node], penalty, now.gap[node]);
+    const LawValue trial = laws_.initial_trial(node, now.gap[node]);
     status.push_back(may_close(node) && now.faces(node) && laws_.normal().begins(trial, touch));
   }
   return status;
@@ -47,8 +53,7 @@ NodeFlags ActiveSet::updated(const NodalLoads& predicted, const NodalGaps& now, 
   const double least = std::max(doubt, negligible(largest_of(predicted), now.size));
   NodeFlags status;
   for (Index node = 0; node < laws_.nodes(); ++node) {
-    const bool sticks = !predicted.slips.empty() && !predicted.slips[node];
-    const bool holds = sticks || laws_.normal().stays(predicted.traction[node], least);
+    const bool holds = predicted.sticks(node) || laws_.normal().stays(predicted.traction[node], least);
     const bool stays = may_close(node) && now.faces(node) && holds;
     status.push_back(predicted.in_contact[node] ? stays : closes(now, node, least));
   }
@@ -129,21 +134,28 @@ void ActiveSet::start_counting() {
   changes_.fill(laws_.nodes(), 0);
   repeated_changes_.fill(laws_.nodes(), 0);
   has_waited_ = has_reconsidered_ = false;
-  if (laws_.effects().has_friction()) slip_changes_.fill(laws_.nodes(), 0);
+  slip_changes_.fill(laws_.multipliers.slips.count(), 0);
 }
 
-NodeFlags ActiveSet::initial_slip(const NodalLoads& now) const {
-  NodeFlags slips = laws_.beyond_bound(now);
+FrictionStatus ActiveSet::initial_friction(const NodalLoads& now) const {
+  FrictionStatus status = own_friction(now);
   const Multipliers& last = laws_.multipliers;
-  for (Index node = 0; node < slips.count(); ++node) {
+  for (Index node = 0; node < laws_.nodes(); ++node) {
     // A node without friction traction had no load between the solids while it slid, or was not in contact.
     const bool is_known = last.slips[node] || !last.friction.col(node).isZero(0);
-    if (now.in_contact[node] && is_known) slips[node] = last.slips[node];
+    if (now.in_contact[node] && is_known) status.slips[node] = last.slips[node];
   }
-  return slips;
+  return status;
 }
 
-NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
+FrictionStatus ActiveSet::own_friction(const NodalLoads& now) const {
+  FrictionStatus status{laws_.beyond_bound(now), NodeFlags(laws_.nodes(), false)};
+  for (Index node = 0; node < laws_.nodes(); ++node)
+    status.rubs[node] = now.in_contact[node] && laws_.rubbing(now, node) > 0;
+  return status;
+}
+
+NodeFlags ActiveSet::updated_slips(const NodalLoads& predicted) const {
   NodeFlags slips = predicted.slips;
   const FrictionBands bands = friction_bands(predicted);
   for (Index node = 0; node < slips.count(); ++node) {
@@ -161,6 +173,21 @@ NodeFlags ActiveSet::updated_slip(const NodalLoads& predicted) const {
     if (std::abs(excess) > friction_band(bands, node)) slips[node] = excess > 0 || turns_round(predicted, node);
   }
   return slips;
+}
+
+NodeFlags ActiveSet::updated_rubs(const NodalLoads& predicted) const {
+  NodeFlags rubs = predicted.rubs;
+  const FrictionBands bands = friction_bands(predicted);
+  for (Index node = 0; node < rubs.count(); ++node) {
+    if (!predicted.in_contact[node]) continue;
+    const double bound = laws_.rubbing(predicted, node);
+    if (std::abs(bound) > friction_band(bands, node)) rubs[node] = bound > 0;
+  }
+  return rubs;
+}
+
+FrictionStatus ActiveSet::updated_friction(const NodalLoads& predicted) const {
+  return {updated_slips(predicted), updated_rubs(predicted)};
 }
 
 ActiveSet::FrictionBands ActiveSet::friction_bands(const NodalLoads& predicted) const {
@@ -182,62 +209,22 @@ bool ActiveSet::turns_round(const NodalLoads& predicted, Index node) const {
          predicted.friction.trial.col(node).norm() > (1 + by_friction) * predicted.friction.bound[node];
 }
 
-NodeFlags ActiveSet::next_slip(const NodalLoads& predicted, const NodalLoads& now) {
-  const NodeFlags before = moved_slip(predicted, now);
-  NodeFlags slips = before;
-  const NodeFlags updated = updated_slip(predicted);
-  for (Index node = 0; node < slips.count(); ++node) {
-    if (now.in_contact[node] && predicted.in_contact[node]) slips[node] = updated[node];
-  }
+FrictionStatus ActiveSet::next_friction(const NodalLoads& predicted, const NodalLoads& now) {
+  const FrictionStatus own = own_friction(now);
+  const NodeFlags before = with_known(own.slips, predicted.slips, predicted, now);
+  NodeFlags slips = with_known(own.slips, updated_slips(predicted), predicted, now);
   if (!slip_changes_.empty()) {
     slips = with_first_repeated(before, std::move(slips), slip_changes_, options_.most_joint_changes);
   }
   for (Index node = 0; node < slips.count(); ++node) {
     if (slips[node] != before[node] || (slips[node] && slides_back(predicted, node))) ++slip_changes_[node];
   }
-  return slips;
+  return {std::move(slips), with_known(own.rubs, updated_rubs(predicted), predicted, now)};
 }
 
-NodeFlags ActiveSet::moved_slip(const NodalLoads& last, const NodalLoads& now) const {
-  NodeFlags slips = laws_.beyond_bound(now);
-  for (Index node = 0; node < slips.count(); ++node) {
-    if (now.in_contact[node] && last.in_contact[node]) slips[node] = last.slips[node];
-  }
-  return slips;
-}
-
-NodeFlags ActiveSet::initial_rubs(const NodalLoads& now) const {
-  NodeFlags rubs(laws_.nodes(), false);
-  for (Index node = 0; node < rubs.count(); ++node) rubs[node] = now.in_contact[node] && laws_.rubbing(now, node) > 0;
-  return rubs;
-}
-
-NodeFlags ActiveSet::updated_rubs(const NodalLoads& predicted) const {
-  NodeFlags rubs = predicted.rubs;
-  const FrictionBands bands = friction_bands(predicted);
-  for (Index node = 0; node < rubs.count(); ++node) {
-    if (!predicted.in_contact[node]) continue;
-    const double bound = laws_.rubbing(predicted, node);
-    if (std::abs(bound) > friction_band(bands, node)) rubs[node] = bound > 0;
-  }
-  return rubs;
-}
-
-NodeFlags ActiveSet::next_rubs(const NodalLoads& predicted, const NodalLoads& now) const {
-  NodeFlags rubs = initial_rubs(now);
-  const NodeFlags updated = updated_rubs(predicted);
-  for (Index node = 0; node < rubs.count(); ++node) {
-    if (now.in_contact[node] && predicted.in_contact[node]) rubs[node] = updated[node];
-  }
-  return rubs;
-}
-
-NodeFlags ActiveSet::moved_rubs(const NodalLoads& last, const NodalLoads& now) const {
-  NodeFlags rubs = initial_rubs(now);
-  for (Index node = 0; node < rubs.count(); ++node) {
-    if (now.in_contact[node] && last.in_contact[node]) rubs[node] = last.rubs[node];
-  }
-  return rubs;
+FrictionStatus ActiveSet::moved_friction(const NodalLoads& last, const NodalLoads& now) const {
+  const FrictionStatus own = own_friction(now);
+  return {with_known(own.slips, last.slips, last, now), with_known(own.rubs, last.rubs, last, now)};
 }
 
 double ActiveSet::negligible(double largest_traction, double surface_size) const {

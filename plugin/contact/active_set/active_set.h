@@ -120,27 +120,15 @@ class ActiveSet {
   /// after the start of iterations.
   bool reconsiders_edge(const NodalLoads& solution);
 
-  /// The nodes in contact that slide at the start of iterations.
-  NodeFlags initial_slip(const NodalLoads& now) const;
-  /// The nodes that slide according to the predicted loads of an iteration, which have to include friction.
-  NodeFlags updated_slip(const NodalLoads& predicted) const;
-  /// The nodes that slide in the next iteration with the loads `now`: those of updated_slip(), except for nodes that
-  /// cycle. Nodes that close slide according to their own trial. Changes are counted.
-  NodeFlags next_slip(const NodalLoads& predicted, const NodalLoads& now);
-  /// The nodes that slide at another state within a step. Nodes in contact in both keep the slip status of the loads
-  /// `last`.
-  NodeFlags moved_slip(const NodalLoads& last, const NodalLoads& now) const;
-
-  /// The nodes in contact with a positive friction bound at the start of iterations.
-  NodeFlags initial_rubs(const NodalLoads& now) const;
-  /// The nodes with a positive friction bound according to the loads that an iteration predicts.
-  NodeFlags updated_rubs(const NodalLoads& predicted) const;
-  /// The nodes with a positive friction bound in the next iteration with the loads `now`: those of updated_rubs(); for
-  /// nodes that close, according to their own loads.
-  NodeFlags next_rubs(const NodalLoads& predicted, const NodalLoads& now) const;
-  /// The nodes with a positive friction bound at another state within a step. Nodes in contact in both keep the status
-  /// of the loads `last`.
-  NodeFlags moved_rubs(const NodalLoads& last, const NodalLoads& now) const;
+  /// Slip and positive friction bounds at the start of iterations.
+  FrictionStatus initial_friction(const NodalLoads& now) const;
+  /// The friction status according to the predicted loads of an iteration, which have to include friction.
+  FrictionStatus updated_friction(const NodalLoads& predicted) const;
+  /// The friction status in the next iteration with the loads `now`: that of updated_friction(), except for nodes that
+  /// cycle. Nodes that close have the status of their own loads. Changes are counted.
+  FrictionStatus next_friction(const NodalLoads& predicted, const NodalLoads& now);
+  /// The friction status at another state within a step. Nodes in contact in both keep the status of the loads `last`.
+  FrictionStatus moved_friction(const NodalLoads& last, const NodalLoads& now) const;
 
   /// Memory of the counts [bytes].
   std::size_t memory() const {
@@ -158,6 +146,12 @@ class ActiveSet {
     /// Half-width of the band for nodes at the edge of sliding [MPa].
     double at_edge;
   };
+  /// FrictionStatus::slips of updated_friction().
+  NodeFlags updated_slips(const NodalLoads& predicted) const;
+  /// FrictionStatus::rubs of updated_friction().
+  NodeFlags updated_rubs(const NodalLoads& predicted) const;
+  /// The friction status of nodes from their own loads alone.
+  FrictionStatus own_friction(const NodalLoads& now) const;
   FrictionBands friction_bands(const NodalLoads& predicted) const;
   double friction_band(const FrictionBands& bands, Index node) const;
   /// True if the slip of a node reverses without sticking first: with the stiffness of the adjoining elements, reversed

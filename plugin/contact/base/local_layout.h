@@ -55,6 +55,7 @@ class MultiplierLayout {
       : nodes_(nodes), scalar_fields_(scalar_fields), tractions_(tractions ? 1 : 0) {}
 
   Index size() const { return nodes_ * per_node(); }
+  bool has_tractions() const { return tractions_ > 0; }
   Index traction(Index node) const { return node * per_node(); }
   Index flux(Index node, Index k) const { return node * per_node() + tractions_ + k; }
 

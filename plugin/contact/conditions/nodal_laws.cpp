@@ -14,6 +14,68 @@ double share_of_film(const SurfaceMesh& primary, const Settings& settings) {
   return settings.two_pass || primary.may_meet_itself() ? 0.5 : 1.0;
 }
 
+/// Sets the trials of friction, and bounds and status before their first decision.
+void find_friction_limits(const NodalLaws& laws, NodalLoads& loads) {
+  loads.friction.trial.setZero(3, laws.nodes());
+  loads.friction.bound.setZero(laws.nodes());
+  for (Index node = 0; node < laws.nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    loads.friction.trial.col(node) = laws.friction_trial(loads.friction, node).value;
+    loads.friction.bound[node] = laws.friction_bound(loads, node).value;
+  }
+  if (loads.slips.empty()) loads.slips = laws.beyond_bound(loads);
+}
+
+/// Sets bound and friction traction of the nodes in contact by their status.
+void load_friction(const NodalLaws& laws, NodalLoads& loads) {
+  loads.friction.traction.setZero(3, laws.nodes());
+  for (Index node = 0; node < laws.nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    loads.friction.bound[node] = laws.friction_bound(loads, node).value;
+    loads.friction.traction.col(node) = friction_law(loads, node).value;
+  }
+}
+
+/// Sets the reference of friction for an iteration (see NodalLaws::begin_friction()).
+void refer_friction(const NodalLaws& laws, NodalLoads& loads, const NodalLoads* predicted) {
+  NodalFriction& friction = loads.friction;
+  friction.reference = friction.trial;
+  friction.reference_bound.setZero(laws.nodes());
+  friction.geometric.setZero(3, laws.nodes());
+  for (Index node = 0; node < laws.nodes(); ++node) {
+    if (!loads.in_contact[node]) continue;
+    const bool known = predicted != nullptr && predicted->in_contact[node];
+    const NodalLoads& from = known ? *predicted : loads;
+    if (known) friction.reference.col(node) = predicted->friction.trial.col(node);
+    const bool closes = predicted != nullptr && !known;
+    friction.reference_bound[node] = loads.rubs[node] && !closes ? std::max(0.0, laws.rubbing(from, node)) : 0.0;
+    const FrictionTrial trial = laws.friction_trial(loads.slips[node] ? friction : from.friction, node);
+    friction.geometric.col(node) = trial.past;
+    const double size = trial.value.norm();
+    if (!loads.slips[node] && size > friction.reference_bound[node])
+      friction.geometric.col(node) *= friction.reference_bound[node] / size;
+  }
+}
+
+/// The friction multipliers whose trial equals the present friction without further slip.
+Matrix3Xd friction_multipliers(const NodalFriction& friction) {
+  Matrix3Xd lambda = Matrix3Xd::Zero(3, friction.slip.cols());
+  for (Index node = 0; node < lambda.cols(); ++node) {
+    if (friction.traction.col(node).isZero(0)) continue;
+    const Vector3d n = friction.normal(node);
+    const Eigen::Matrix3d to_present = friction.convection[node] - n * (n.transpose() * friction.convection[node]);
+    lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
+  }
+  return lambda;
+}
+
+/// Accepts the present friction and slip status.
+void take_friction(Multipliers& multipliers, const NodalLoads& loads) {
+  if (loads.friction.empty()) return;
+  multipliers.friction = friction_multipliers(loads.friction);
+  multipliers.slips = loads.slips;
+}
+
 }  // namespace
 
 NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
@@ -24,6 +86,16 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
   update_penalties();
   forget_steps();
+}
+
+bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
+  const Index fields = effects.scalar_fields();
+  const Index with_friction = effects.may_rub() ? nodes : 0;
+  const Index with_fluxes = fields > 0 ? nodes : 0;
+  return multipliers.traction.size() == nodes && multipliers.accepted_traction.size() == nodes &&
+         multipliers.flux.rows() == fields && multipliers.flux.cols() == nodes &&
+         multipliers.flux_penalty_scale.size() == fields && multipliers.friction.cols() == with_friction &&
+         multipliers.slips.count() == with_friction && multipliers.flux_coupled.count() == with_fluxes;
 }
 
 void NodalLaws::forget_steps() {
@@ -39,6 +111,11 @@ void NodalLaws::update_penalties() {
   penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
   soft_ = settings_.softens_fixed_gaps ? nodes_of_fixed_gap(primary_, secondary_) : NodeFlags();
   soften(penalties_, soft_);
+}
+
+LawValue NodalLaws::initial_trial(Index node, double gap) const {
+  const double penalty = effects_.traction ? traction_penalty(node) : penalties_.stiffness[node];
+  return augmented(multipliers.traction[node], penalty, gap);
 }
 
 void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
@@ -58,19 +135,8 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
     }
   }
   if (loads.friction.empty()) return;
-  if (loads.friction.trial.size() == 0) find_friction_limits(loads);  // else the iteration has predicted them
-  load_friction(loads);
-}
-
-void NodalLaws::find_friction_limits(NodalLoads& loads) const {
-  loads.friction.trial.setZero(3, nodes());
-  loads.friction.bound.setZero(nodes());
-  for (Index node = 0; node < nodes(); ++node) {
-    if (!loads.in_contact[node]) continue;
-    loads.friction.trial.col(node) = friction_trial(loads.friction, node).value;
-    loads.friction.bound[node] = friction_bound(loads, node).value;
-  }
-  if (loads.slips.empty()) loads.slips = beyond_bound(loads);
+  if (loads.friction.trial.size() == 0) find_friction_limits(*this, loads);  // else the iteration has predicted them
+  load_friction(*this, loads);
 }
 
 FrictionTrial NodalLaws::friction_trial(const NodalFriction& friction, Index node) const {
@@ -84,24 +150,19 @@ FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vec
   return {n, past, present, present - n * n.dot(present)};
 }
 
-void NodalLaws::refer_friction(NodalLoads& loads, const NodalLoads* predicted) const {
-  NodalFriction& friction = loads.friction;
-  friction.reference = friction.trial;
-  friction.reference_bound.setZero(nodes());
-  friction.geometric.setZero(3, nodes());
-  for (Index node = 0; node < nodes(); ++node) {
-    if (!loads.in_contact[node]) continue;
-    const bool known = predicted != nullptr && predicted->in_contact[node];
-    const NodalLoads& from = known ? *predicted : loads;
-    if (known) friction.reference.col(node) = predicted->friction.trial.col(node);
-    const bool closes = predicted != nullptr && !known;
-    friction.reference_bound[node] = loads.rubs[node] && !closes ? std::max(0.0, rubbing(from, node)) : 0.0;
-    const FrictionTrial trial = friction_trial(loads.slips[node] ? friction : from.friction, node);
-    friction.geometric.col(node) = trial.past;
-    const double size = trial.value.norm();
-    if (!loads.slips[node] && size > friction.reference_bound[node])
-      friction.geometric.col(node) *= friction.reference_bound[node] / size;
-  }
+ElasticSlip elastic_slip(const NodalLoads& loads, Index node) {
+  if (loads.friction.empty()) return {};
+  const auto in_plane = [&] { return carried_trial(loads.friction, node, loads.friction.slip.col(node)).value; };
+  return {loads.slips[node] ? 0.0 : in_plane().norm(), loads.friction.traction.col(node).norm()};
+}
+
+void NodalLaws::begin_friction(NodalLoads& loads, const DecideFriction& decide, const NodalLoads* predicted) const {
+  if (loads.friction.empty()) return;
+  FrictionStatus decided = decide(loads);
+  loads.slips = std::move(decided.slips);
+  loads.rubs = std::move(decided.rubs);
+  refer_friction(*this, loads, predicted);
+  load_friction(*this, loads);
 }
 
 FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) const {
@@ -124,15 +185,6 @@ FrictionTraction friction_law(const NodalLoads& loads, Index node) {
               loads.friction.reference_bound_of(node));
 }
 
-void NodalLaws::load_friction(NodalLoads& loads) const {
-  loads.friction.traction.setZero(3, nodes());
-  for (Index node = 0; node < nodes(); ++node) {
-    if (!loads.in_contact[node]) continue;
-    loads.friction.bound[node] = friction_bound(loads, node).value;
-    loads.friction.traction.col(node) = friction_law(loads, node).value;
-  }
-}
-
 NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
   NodeFlags slips(nodes(), false);
   const double rounding = traction_rounding(loads.size);
@@ -143,15 +195,10 @@ NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
   return slips;
 }
 
-Matrix3Xd NodalLaws::friction_multipliers(const NodalFriction& friction) const {
-  Matrix3Xd lambda = Matrix3Xd::Zero(3, nodes());
-  for (Index node = 0; node < nodes(); ++node) {
-    if (friction.traction.col(node).isZero(0)) continue;
-    const Vector3d n = friction.normal(node);
-    const Eigen::Matrix3d to_present = friction.convection[node] - n * (n.transpose() * friction.convection[node]);
-    lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
-  }
-  return lambda;
+Matrix3Xd convected_friction(const Multipliers& multipliers, const NodalFriction& friction) {
+  Matrix3Xd present = multipliers.friction;
+  for (Index node = 0; node < present.cols(); ++node) present.col(node) = friction.convection[node] * present.col(node);
+  return present;
 }
 
 VectorXd NodalLaws::stiffness_over_penalty() const {
@@ -171,16 +218,20 @@ VectorXd NodalLaws::growing_penalties() const {
   return growing;
 }
 
-void NodalLaws::take_traction(const VectorXd& traction) {
-  multipliers.traction = admissible(normal(), traction);
+void NodalLaws::augment(const NodalLoads& loads) {
+  if (effects_.traction) multipliers.traction = admissible(normal(), loads.traction);
   for (Index node = 0; node < soft_.count(); ++node) {
     if (soft_[node]) multipliers.traction[node] = 0;
   }
+  multipliers.flux = loads.flux;
+  take_friction(multipliers, loads);
 }
 
-void NodalLaws::take_friction(const NodalLoads& loads) {
-  multipliers.friction = friction_multipliers(loads.friction);
-  multipliers.slips = loads.slips;
+void NodalLaws::accept(const NodalLoads& loads) {
+  if (effects_.scalar_fields() > 0) multipliers.flux_coupled = loads.flux_coupled;
+  if (!effects_.traction) return;
+  multipliers.accepted_traction = loads.traction;
+  take_friction(multipliers, loads);
 }
 
 void drop_new_fluxes(const Multipliers& multipliers, MatrixXd& flux) {

@@ -7,6 +7,8 @@
 #include "conditions/normal.h"
 #include "conditions/penalty.h"
 
+#include <functional>
+
 namespace mixture_contact {
 
 /// Multipliers at the nodes of the primary surface. Augmentations change them; if the multipliers are unknowns, the
@@ -26,6 +28,9 @@ struct Multipliers {
   double friction_penalty_scale = 1;  ///< factor by which augmentations have increased the tangential penalty
 };
 
+/// True if multipliers have the nodes and fields of a contact.
+bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects);
+
 /// A node's trial friction with the vectors from which it is formed.
 struct FrictionTrial {
   Vector3d normal;   ///< mean normal n_a
@@ -40,6 +45,19 @@ FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vec
 
 /// The friction traction of a node in contact, by its status stick or slip.
 FrictionTraction friction_law(const NodalLoads& loads, Index node);
+
+/// The error of a node in contact in the condition of stick, with its load; both are zero without friction.
+struct ElasticSlip {
+  double slip = 0;      ///< slip of a sticking node in its tangent plane, where friction opposes it [mm]
+  double traction = 0;  ///< size of the friction traction [MPa]
+};
+ElasticSlip elastic_slip(const NodalLoads& loads, Index node);
+
+/// The friction multipliers, convected with the surface since the start of the step.
+Matrix3Xd convected_friction(const Multipliers& multipliers, const NodalFriction& friction);
+
+/// Decides which nodes slide and which have a positive friction bound, from the loads at a state.
+using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
 
 /// Rounding error of average gaps and jumps, relative to the size of the surface or the field.
 inline constexpr double rounding_fraction = 1e-13;
@@ -108,6 +126,11 @@ class NodalLaws {
   LawValue traction_trial(Index node, double gap) const {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
   }
+  /// The trial load that decides the initial status of a node. Surfaces without traction are in contact by their gaps,
+  /// for any penalty.
+  LawValue initial_trial(Index node, double gap) const;
+  /// True if loads are linear in gaps and jumps, which excludes friction.
+  bool are_linear() const { return !effects_.may_rub(); }
 
   /// Sets traction and fluxes of the nodes in contact from gaps and jumps; if `with_penalty` is false, to the
   /// multipliers.
@@ -119,21 +142,18 @@ class NodalLaws {
   FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
   /// The friction bound without <>. A node has a positive friction bound if it is positive.
   double rubbing(const NodalLoads& loads, Index node) const;
-  /// Sets bound and friction traction of the nodes in contact by their status.
-  void load_friction(NodalLoads& loads) const;
-  /// Sets the reference of friction for an iteration that begins with the status and trials of `loads`. The reference
+  /// Begins an iteration of friction at the state of `loads`: sets status, reference and traction. The reference
   /// consists of the trials and bounds that the previous iteration predicted, if given, else of its own. For a node
   /// that closed after an iteration, the direction of friction therefore stays fixed: with a large penalty, the bound
   /// from its overlap is much too large.
-  void refer_friction(NodalLoads& loads, const NodalLoads* predicted) const;
+  void begin_friction(NodalLoads& loads, const DecideFriction& decide, const NodalLoads* predicted) const;
   /// The nodes in contact whose trial exceeds the bound; they slide before any decision.
   NodeFlags beyond_bound(const NodalLoads& loads) const;
-  /// The friction multipliers whose trial equals the present friction without further slip.
-  Matrix3Xd friction_multipliers(const NodalFriction& friction) const;
-  /// The multipliers of the tractions become these tractions, except at nodes that augmentations leave out.
-  void take_traction(const VectorXd& traction);
-  /// Accepts the present friction and slip status.
-  void take_friction(const NodalLoads& loads);
+  /// Uzawa's update: the loads become the multipliers, except at nodes that augmentations leave out. Multipliers of
+  /// tractions that are not exchanged stay the same.
+  void augment(const NodalLoads& loads);
+  /// Accepts the loads and the status at the end of a step.
+  void accept(const NodalLoads& loads);
   /// Tractions for the geometric part of the tangent at the start of a step: those given, limited by the largest
   /// accepted traction. A larger traction would come from a large penalty and an overlap that is not in equilibrium,
   /// such as an overlap of the initial meshes or of averages over other facets than before.
@@ -160,8 +180,6 @@ class NodalLaws {
  private:
   /// A factor of augmentations at a node.
   double scaled(double factor, Index node) const { return has_soft_gap(node) ? 1.0 : factor; }
-  /// Sets the trials of friction, and bounds and status before their first decision.
-  void find_friction_limits(NodalLoads& loads) const;
 
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;

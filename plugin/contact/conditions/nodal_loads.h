@@ -25,12 +25,18 @@ struct ContactStatus {
   NodeFlags slips = {};  // NOLINT(readability-redundant-member-init): so that lists of initial values may leave it out
   /// Nodes in contact with a positive friction bound T_max, where the load exceeds that of the fluid; empty as `slips`.
   NodeFlags rubs = {};  // NOLINT(readability-redundant-member-init)
+
+  /// True if the status of a node is stick.
+  bool sticks(Index node) const { return !slips.empty() && !slips[node]; }
 };
 
 /// The friction status of nodes: ContactStatus::slips and ContactStatus::rubs.
 struct FrictionStatus {
   NodeFlags slips;
   NodeFlags rubs;
+
+  /// True if nodes have another status.
+  bool differs_from(const ContactStatus& other) const { return slips != other.slips || rubs != other.rubs; }
 };
 
 /// Averages around nodes in contact on which friction depends, and the friction that the law gives; empty without

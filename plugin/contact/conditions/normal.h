@@ -2,6 +2,7 @@
 /// for surfaces that bear tension. No other file distinguishes the two conditions.
 #pragma once
 
+#include "base/polymorphic.h"
 #include "base/settings.h"
 #include "base/types.h"
 #include "conditions/law_value.h"
@@ -12,15 +13,8 @@ namespace mixture_contact {
 
 /// The normal condition at a node: load, next status, and admissible tractions. In all functions, `trial` is the
 /// augmented load lambda_n + eps_n g of a node [MPa], negative in compression.
-class NormalCondition {
+class NormalCondition : public Polymorphic {
  public:
-  NormalCondition() = default;
-  NormalCondition(const NormalCondition&) = delete;
-  NormalCondition& operator=(const NormalCondition&) = delete;
-  NormalCondition(NormalCondition&&) = delete;
-  NormalCondition& operator=(NormalCondition&&) = delete;
-  virtual ~NormalCondition() = default;
-
   /// The normal traction t_n [MPa] and its derivative with respect to the gap: the trial in contact, 0 elsewhere.
   static LawValue load(const LawValue& trial, bool in_contact) { return in_contact ? trial : LawValue{0, 0}; }
   /// The admissible traction that is nearest to `traction` [MPa].

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/effects.h"
+#include "base/polymorphic.h"
 #include "conditions/law_value.h"
 #include "conditions/nodal_loads.h"
 
@@ -22,14 +23,9 @@ struct FluxLaw {
 
 /// The condition of one field at nodes. Its flux depends on the jumps around the node and on the values of the fields
 /// at the node: p~ of the solvent [MPa], c~ of solutes [mM].
-class ScalarCondition {
+class ScalarCondition : public Polymorphic {
  public:
   explicit ScalarCondition(int field) : field_(field) {}
-  ScalarCondition(const ScalarCondition&) = delete;
-  ScalarCondition& operator=(const ScalarCondition&) = delete;
-  ScalarCondition(ScalarCondition&&) = delete;
-  ScalarCondition& operator=(ScalarCondition&&) = delete;
-  virtual ~ScalarCondition() = default;
 
   /// Index of the field, in the order of Effects.
   int field() const { return field_; }

@@ -4,18 +4,6 @@
 #include <cmath>
 
 namespace mixture_contact {
-namespace {
-
-/// Adds the elastic slip of a sticking node, in its tangent plane. The normal component of the average is left out,
-/// because friction does not oppose it. A sliding node has no condition to meet.
-void add_slip(GapSums& sums, double stiffness, const NodalLoads& loads, Index node) {
-  const auto in_plane = [&] { return carried_trial(loads.friction, node, loads.friction.slip.col(node)).value; };
-  const double slip = loads.slips[node] ? 0.0 : in_plane().norm();
-  sums.add(loads.area[node], stiffness, slip, loads.friction.traction.col(node).norm(), std::sqrt(loads.area[node]));
-}
-
-}  // namespace
-
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
   GapSums traction;
   GapSums slip;
@@ -27,7 +15,8 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
     if (!laws.has_soft_gap(node)) {
       const double gap = laws.normal().residual_gap(loads.gap[node], loads.traction[node]);
       traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
-      if (!loads.friction.empty()) add_slip(slip, base.stiffness[node], loads, node);
+      const ElasticSlip elastic = elastic_slip(loads, node);
+      slip.add(loads.area[node], base.stiffness[node], elastic.slip, elastic.traction, std::sqrt(loads.area[node]));
     }
     if (!loads.flux_coupled[node]) continue;
     for (Index k = 0; k < flux.count(); ++k) {

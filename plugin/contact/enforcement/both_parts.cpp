@@ -1,7 +1,6 @@
 #include "enforcement/both_parts.h"
 
 #include "base/parallel.h"
-#include "mortar/varying_pairs.h"
 
 #include <algorithm>
 #include <utility>
@@ -91,7 +90,7 @@ GeometricPart linearise_both_parts(LinearisationPoint& point, const MortarSpace&
                                    std::optional<PastLinearisation> past, double same, GeometricParts memory) {
   const FacingPairs& facing = space.facing();
   const LinearisationSource now(point, space);
-  const NodeFlags changed = past ? changed_nodes(*past, point, now, space, same) : NodeFlags(space.nodes(), true);
+  const NodeFlags changed = past ? changed_nodes(*past, now, space, same) : NodeFlags(space.nodes(), true);
   if (past && std::all_of(changed.begin(), changed.end(), [](bool is) { return is; })) {
     memory = std::move(past->geometric.pairs);
     past.reset();

@@ -2,8 +2,6 @@
 
 #include "base/parallel.h"
 
-#include <algorithm>
-
 namespace mixture_contact {
 namespace {
 
@@ -22,10 +20,9 @@ void multiply_out(const MortarSpace& space, NodeTangent& tangent) {
 }
 
 /// Calls `use` with each load at a node. `patch`: the nodes and fields of its averages.
-void use_loads(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
-               const UseLoad& use) {
+void use_loads(const EnforcementMethod& method, Index node, const Patch& patch, const UseLoad& use) {
   const int own = static_cast<int>(node);
-  if (space.effects().traction) use({own, std::nullopt, patch.of_displacements()});
+  if (patch.displacements) use({own, std::nullopt, patch.of_displacements()});
   for (const int field : patch.fields) use({own, field, method.flux_columns(patch, field)});
 }
 
@@ -59,7 +56,7 @@ void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
 void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
               const Couplings& use) {
   if (takes_loads(method, use)) {
-    use_loads(method, space, node, patch, use.load);
+    use_loads(method, node, patch, use.load);
   } else {
     method.for_each_coupling(patch, [&](const Patch& part) {
       use_effects(space, part, use.patch);
@@ -70,12 +67,13 @@ void use_node(const EnforcementMethod& method, const MortarSpace& space, Index n
 
 void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use) {
   // The columns of a field's flux include the displacements, unless the tangent is symmetric.
-  if (space.effects().traction && (patch.fields.empty() || space.symmetric())) use(patch.of_displacements());
+  if (patch.displacements && (patch.fields.empty() || space.symmetric())) use(patch.of_displacements());
   for (const int field : patch.fields) use(space.columns_of(patch, field));
-  if (!space.effects().has_bearing_fluid() || space.symmetric()) return;
-  const int pressure = space.effects().pressure_field();
-  const bool is_exchanged = std::find(patch.fields.begin(), patch.fields.end(), pressure) != patch.fields.end();
-  if (!is_exchanged) use(patch.of_field(pressure, true));
+  if (space.symmetric()) return;
+  for (int field = 0; field < space.effects().nodal_fields(); ++field) {
+    const bool is_used = position_in(patch.fields, field) < patch.fields.count();
+    if (!is_used && contains(space.effects().bearing_fields(), field)) use(patch.of_field(field, true));
+  }
 }
 
 }  // namespace mixture_contact

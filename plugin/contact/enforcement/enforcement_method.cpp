@@ -10,7 +10,8 @@ namespace mixture_contact {
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws) {
   if (enforcement == Enforcement::lagrange_multipliers) return std::make_unique<UnknownMultipliers>(space, laws);
-  return std::make_unique<PenaltyMethod>(space, laws);
+  if (laws.are_linear()) return std::make_unique<PenaltyMethod>(space, laws);
+  return std::make_unique<FrictionPenalty>(space, laws);
 }
 
 Patch EnforcementMethod::flux_columns(const Patch& patch, int field) const {

@@ -1,6 +1,7 @@
 /// Enforcement of the contact conditions at nodes by penalties or by unknown multipliers.
 #pragma once
 
+#include "base/polymorphic.h"
 #include "conditions/nodal_laws.h"
 #include "mortar/linearisation.h"
 
@@ -31,15 +32,10 @@ struct NodeTangent {
 };
 
 /// A method that enforces the conditions at the nodes of a pass. Evaluations are const.
-class EnforcementMethod {
+class EnforcementMethod : public Polymorphic {
  public:
   /// Keeps references to the averages and the laws.
   EnforcementMethod(const MortarSpace& space, const NodalLaws& laws) : space_(space), laws_(laws) {}
-  EnforcementMethod(const EnforcementMethod&) = delete;
-  EnforcementMethod& operator=(const EnforcementMethod&) = delete;
-  EnforcementMethod(EnforcementMethod&&) = delete;
-  EnforcementMethod& operator=(EnforcementMethod&&) = delete;
-  virtual ~EnforcementMethod() = default;
 
   /// Sets the loads of the nodes in contact from the averages around them.
   virtual void load(NodalLoads& loads) const = 0;

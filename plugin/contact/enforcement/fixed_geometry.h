@@ -15,7 +15,7 @@ class FixedGeometry : public ContactGeometry {
   void update(const FacingPositions& x) override;
   bool begin_iteration(const FacingFields& /*fields*/) override { return false; }
   void hold_loads(const FacingFields& /*fields*/) override {}
-  void relinearise(const FacingFields& /*fields*/) override {}
+  void linearise_at(const FacingFields& /*fields*/) override {}
   void start_inactive(const FacingFields& /*fields*/) override {}
   void take_multipliers() override {}
   void end_iterations() override;

@@ -43,6 +43,13 @@ bool closes_overlapped(const NodalLaws& laws, bool any_in_contact) {
   return laws.holds_rigid_body && !laws.has_twin() && !any_in_contact;
 }
 
+/// True if two states of an iteration have the same status. `predicted`: whether an iteration predicted the loads
+/// `before`; else their friction bounds are not decided.
+bool have_same_status(const NodalLoads& before, const NodalLoads& now, bool predicted) {
+  return before.in_contact == now.in_contact && before.flux_coupled == now.flux_coupled && before.slips == now.slips &&
+         (!predicted || before.rubs == now.rubs);
+}
+
 /// Calls `use` with the patch of each node, which contains the facets of all pairs whose points are in the node's
 /// averages.
 void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact,
@@ -69,13 +76,7 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
   LinearisationPoint point;
   point.loads = std::move(averages);
   method_.load(point.loads);
-  if (!point.loads.friction.empty()) {
-    FrictionStatus decided = decide(point.loads);
-    point.loads.slips = std::move(decided.slips);
-    point.loads.rubs = std::move(decided.rubs);
-    laws_.refer_friction(point.loads, predicted);
-    laws_.load_friction(point.loads);
-  }
+  laws_.begin_friction(point.loads, decide, predicted);
   point.primary = fields.primary;
   point.secondary = fields.secondary;
   point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
@@ -85,11 +86,13 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
 
 void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) {
   // The first iteration may reuse the last linearisation; later iterations linearise at their own state. Unknown
-  // multipliers exclude reuse, because their rows include all nodes.
+  // multipliers exclude reuse, because their rows include all nodes, and friction does, because slips are measured from
+  // the start of each step.
   const bool begins = !point_ && method_.predicts();
+  const bool reuses = begins && laws_.are_linear();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
-  if (begins) {
+  if (reuses) {
     geometric_ = linearise_both_parts(point, space_, fields, std::move(past), same_to_linearisation(laws_));
   } else {
     GeometricParts memory = past ? std::move(past->geometric.pairs) : GeometricParts();
@@ -131,7 +134,7 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {
-  const bool finds_more = space_.begin_iteration(x);
+  const bool finds_more = space_.keep_lost_points(x);
   if (finds_more && !point_) space_.boundary_weights().reconsider();
   space_.update_boundary_weights(x);
   return finds_more;
@@ -143,28 +146,14 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const NodalLoads before = loads(fields);
   if (!predicted) active_set_.start_counting();
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    if (!predicted) return initial_friction(now);
-    return {active_set_.next_slip(before, now), active_set_.next_rubs(before, now)};
+    return predicted ? active_set_.next_friction(before, now) : active_set_.initial_friction(now);
   };
   NodalGaps gaps = space_.gaps();
   ContactStatus status = active_set_.next(before.in_contact, beginning_status(before, gaps), predicted);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          predicted ? &before : nullptr);
-  // If multipliers are unknowns, the predicted loads are the loads themselves.
-  const NodalLoads& geometric = predicted && method_.predicts() ? before : next.loads;
-  const bool augmented = std::exchange(augmented_, false);
-  next.geometric_traction = augmented ? laws_.multipliers.traction : geometric.traction;
-  next.geometric_flux = augmented ? laws_.multipliers.flux : geometric.flux;
-  if (!predicted && !augmented && method_.predicts()) {
-    drop_new_fluxes(laws_.multipliers, next.geometric_flux);
-    // Nodes that close around overlapping points may be in tension.
-    const VectorXd traction = admissible(laws_.normal(), next.geometric_traction);
-    next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
-  }
-  next.geometric_friction = augmented ? present_multipliers(next.loads.friction) : geometric.friction.traction;
-  const bool changed = finds_more || before.in_contact != next.loads.in_contact ||
-                       before.flux_coupled != next.loads.flux_coupled || before.slips != next.loads.slips ||
-                       (predicted && before.rubs != next.loads.rubs) ||
+  set_geometric_loads(next, before);
+  const bool changed = finds_more || !have_same_status(before, next.loads, predicted) ||
                        differ(space_, laws_, before, next.loads, active_set_.options().same_load, fields);
   const bool same_points = predicted && !finds_more && method_.predicts();
   hold(std::move(next), fields);
@@ -172,10 +161,27 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   return changed;
 }
 
+void MovingGeometry::set_geometric_loads(LinearisationPoint& next, const NodalLoads& before) {
+  const bool predicted = point_.has_value();
+  if (std::exchange(augmented_, false)) {
+    next.geometric_traction = laws_.multipliers.traction;
+    next.geometric_flux = laws_.multipliers.flux;
+    next.geometric_friction = convected_friction(laws_.multipliers, next.loads.friction);
+    return;
+  }
+  // If multipliers are unknowns, the predicted loads are the loads themselves.
+  next.set_geometric(predicted && method_.predicts() ? before : next.loads);
+  if (predicted || !method_.predicts()) return;
+  drop_new_fluxes(laws_.multipliers, next.geometric_flux);
+  // Nodes that close around overlapping points may be in tension.
+  const VectorXd traction = admissible(laws_.normal(), next.geometric_traction);
+  next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
+}
+
 void MovingGeometry::hold_loads(const FacingFields& fields) {
   find_points(positions(fields));
   active_set_.start_counting();
-  const auto decide = [&](const NodalLoads& now) { return initial_friction(now); };
+  const auto decide = [&](const NodalLoads& now) { return active_set_.initial_friction(now); };
   geometric_.reset();
   last_ = {};
   point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
@@ -188,24 +194,20 @@ void MovingGeometry::start_inactive(const FacingFields& fields) {
   LinearisationPoint point = evaluated_at(
       fields, space_.averages(space_.gaps(), fields, {open, open, {}}),
       [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
-  point.geometric_traction = point.loads.traction;
-  point.geometric_flux = point.loads.flux;
-  point.geometric_friction = point.loads.friction.traction;
+  point.set_geometric(point.loads);
   hold(std::move(point), fields);
 }
 
-void MovingGeometry::relinearise(const FacingFields& fields) {
+void MovingGeometry::linearise_at(const FacingFields& fields) {
   if (!point_) return;
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    return {active_set_.moved_slip(point_->loads, now), active_set_.moved_rubs(point_->loads, now)};
+    return active_set_.moved_friction(point_->loads, now);
   };
   NodalGaps gaps = space_.gaps();
   ContactStatus status = active_set_.moved(point_->loads, gaps);
   LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
                                          &point_->loads);
-  next.geometric_traction = point_->loads.traction;
-  next.geometric_flux = point_->loads.flux;
-  next.geometric_friction = point_->loads.friction.traction;
+  next.set_geometric(point_->loads);
   hold(std::move(next), fields);
 }
 
@@ -236,8 +238,7 @@ bool MovingGeometry::is_solution(const FacingFields& fields) const {
   NodalGaps gaps = space_.gaps();
   if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
   if (!method_.predicts()) return true;  // the loads are unknowns and need no test; gaps() tests the gaps
-  if (!predicted.friction.empty() && active_set_.updated_slip(predicted) != predicted.slips) return false;
-  if (!predicted.friction.empty() && active_set_.updated_rubs(predicted) != predicted.rubs) return false;
+  if (active_set_.updated_friction(predicted).differs_from(predicted)) return false;
   NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
   method_.load(now);
   return !differ(space_, laws_, predicted, now, active_set_.options().solution_load, fields);
@@ -255,12 +256,6 @@ NodalLoads MovingGeometry::initial_averages(const FacingFields& fields) const {
   NodalGaps gaps = space_.gaps();
   const NodeFlags status = active_set_.initial(gaps);
   return space_.averages(std::move(gaps), fields, {status, status, {}});
-}
-
-Matrix3Xd MovingGeometry::present_multipliers(const NodalFriction& friction) const {
-  Matrix3Xd present = laws_.multipliers.friction;
-  for (Index node = 0; node < present.cols(); ++node) present.col(node) = friction.convection[node] * present.col(node);
-  return present;
 }
 
 NodeFlags MovingGeometry::flux_coupled() const {
@@ -312,6 +307,10 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
     std::for_each(geometric_->fluxes.begin(), geometric_->fluxes.end(), use.rows);
     return use.rows(geometric_->tractions);
   }
+  use_pairs(in_contact, use);
+}
+
+void MovingGeometry::use_pairs(const NodeFlags& in_contact, const Couplings& use) const {
   const bool all_pairs = space_.has_unknown_multipliers() || takes_loads(method_, use);
   for (const FacetPair& pair : space_.facing().pairs()) {
     if (!space_.facing().has_node_among(pair, in_contact)) continue;

@@ -5,7 +5,6 @@
 #include "enforcement/held_linearisation.h"
 #include "enforcement/past_linearisation.h"
 
-#include <functional>
 #include <optional>
 
 namespace mixture_contact {
@@ -20,7 +19,7 @@ class MovingGeometry : public ContactGeometry {
   void update(const FacingPositions& x) override;
   bool begin_iteration(const FacingFields& fields) override;
   void hold_loads(const FacingFields& fields) override;
-  void relinearise(const FacingFields& fields) override;
+  void linearise_at(const FacingFields& fields) override;
   void start_inactive(const FacingFields& fields) override;
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
@@ -37,8 +36,6 @@ class MovingGeometry : public ContactGeometry {
   std::size_t memory() const override;
 
  private:
-  /// Function that decides stick and slip from the loads at a state.
-  using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
   /// The linearisation point of an iteration, still without the linearisation of averages and the loads of the
   /// geometric part. `predicted`: loads that the previous iteration predicts at this state; null if there is none.
   LinearisationPoint evaluated_at(const FacingFields& fields, NodalLoads averages, const DecideFriction& decide,
@@ -53,19 +50,17 @@ class MovingGeometry : public ContactGeometry {
   const GeometricPart* geometric_at(const FacingPositions& x) const;
   /// The linearised averages at a state.
   IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
-  /// Stick and slip at the start of iterations.
-  FrictionStatus initial_friction(const NodalLoads& now) const {
-    return {active_set_.initial_slip(now), active_set_.initial_rubs(now)};
-  }
   /// The averages at a state, with the status with which iterations begin.
   NodalLoads initial_averages(const FacingFields& fields) const;
-  /// The contact status with which an iteration begins (see ContactPass::begin_iteration()). `now`: present loads.
+  /// The contact status with which an iteration begins (see ContactGeometry::begin_iteration()). `now`: present loads.
   NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
+  /// Sets the loads in the geometric part of the tangent for an iteration. `before`: loads before its start.
+  void set_geometric_loads(LinearisationPoint& next, const NodalLoads& before);
+  /// Calls `use` with the couplings of pairs in contact that those of nodes do not include.
+  void use_pairs(const NodeFlags& in_contact, const Couplings& use) const;
   /// The contact status by the present loads and gaps.
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
-  /// The friction multipliers, convected with the surface since the start of the step.
-  Matrix3Xd present_multipliers(const NodalFriction& friction) const;
 
   MortarSpace& space_;
   const NodalLaws& laws_;

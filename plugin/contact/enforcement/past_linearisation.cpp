@@ -203,10 +203,10 @@ std::size_t LastLinearisation::memory() const {
   return (geometric_ ? geometric_->memory() : 0) + (point_ ? point_->memory() : 0);
 }
 
-NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,
-                        const MortarSpace& space, double same) {
+NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationSource& now, const MortarSpace& space,
+                        double same) {
   const LinearisationSource& source = past.geometric.source;
-  const bool may_serve = past.point.is_linearised() && next.loads.friction.empty() && have_same_points(source, now) &&
+  const bool may_serve = past.point.is_linearised() && have_same_points(source, now) &&
                          have_same_fields(source, now, same) && are_in_same_place(source, now, space.facing(), same);
   NodeFlags changed(space.nodes(), !may_serve);
   if (!may_serve) return changed;

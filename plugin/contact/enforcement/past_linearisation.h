@@ -72,9 +72,9 @@ class LastLinearisation {
 
 /// The nodes whose linearisation has to be computed again: those at which a quantity has changed by more than the
 /// fraction `same` between the data of `past` and `now`. Status, loads and weights affect single nodes; a changed state
-/// or changed points affect all nodes. With friction, all nodes have changed, because slips are measured from the start
+/// or changed points affect all nodes. The result is not valid with friction, because slips are measured from the start
 /// of each step.
-NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationPoint& next, const LinearisationSource& now,
-                        const MortarSpace& space, double same);
+NodeFlags changed_nodes(const PastLinearisation& past, const LinearisationSource& now, const MortarSpace& space,
+                        double same);
 
 }  // namespace mixture_contact

@@ -42,31 +42,8 @@ NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const
   return loads;
 }
 
-Matrix3Xd PenaltyMethod::slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const {
-  const FrictionTraction law = friction_law(loads, node);
-  const FrictionBound bound = laws().friction_bound(loads, node);
-  const NodeLinearisation::Friction& friction = linear.friction;
-  Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
-  if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
-  return law.d_trial.lazyProduct(friction.trial_variation) + law.d_bound.lazyProduct(d_bound);
-}
-
-void PenaltyMethod::add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                       std::vector<TangentBlock>& blocks) const {
-  const NodeLinearisation::Friction& friction = linear.friction;
-  if (!friction.has_fluid() || space().symmetric()) return;
-  const double d_pressure = laws().friction_bound(loads, node).d_pressure;
-  if (d_pressure == 0) return;
-  const Patch columns = linear.patch.of_field(friction.pressure_field, false);
-  MatrixXd by_pressure(linear.traction_work.size(), friction.work.size());
-  const Vector3d per_pressure = d_pressure * friction_law(loads, node).d_bound;
-  for (Index n = 0; n < friction.work.size(); ++n)
-    by_pressure.middleRows<3>(3 * n) = friction.work[n] * per_pressure * friction.pressure_weights.transpose();
-  blocks.push_back({linear.patch.of_displacements(), columns, std::move(by_pressure)});
-}
-
-void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                         ScopedTimer& laps, NodeTangent& tangent) const {
+void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& /*loads*/,
+                                         ScopedTimer& /*laps*/, NodeTangent& tangent) const {
   const double penalty = laws().traction_penalty(node);
   if (has_load_blocks()) {
     const Patch rows = linear.patch.of_displacements();
@@ -75,17 +52,7 @@ void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& li
     return;
   }
   const VectorXd work = penalty * linear.traction_work;
-  if (linear.friction.empty() || !loads.in_contact[node]) {
-    tangent.blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
-    return;
-  }
-  const bool slips = loads.slips[node];
-  const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
-  if (slips) add_pressure_block(node, linear, loads, tangent.blocks);
-  laps.friction();
-  MatrixXd both = work_of_both(work, linear.gap_variation, linear.friction.work,
-                               slips ? sliding : linear.friction.trial_variation);
-  tangent.blocks.push_back(traction_block(space(), linear.patch, std::move(both)));
+  tangent.blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
 }
 
 LoadBlock PenaltyMethod::flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
@@ -108,7 +75,7 @@ NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& lin
                                         const VectorXd& /*weights*/, double dt) const {
   NodeTangent tangent;
   ScopedTimer laps(space().effect_times(), effects().scalar_fields());
-  if (effects().traction) {
+  if (linear.patch.displacements) {
     add_traction_tangent(node, linear, loads, laps, tangent);
     laps.traction();
   }
@@ -119,6 +86,42 @@ NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& lin
     laps.field(field);
   }
   return tangent;
+}
+
+Matrix3Xd FrictionPenalty::slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const {
+  const FrictionTraction law = friction_law(loads, node);
+  const FrictionBound bound = laws().friction_bound(loads, node);
+  const SlipLinearisation& friction = linear.friction;
+  Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
+  if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
+  return law.d_trial.lazyProduct(friction.trial_variation) + law.d_bound.lazyProduct(d_bound);
+}
+
+void FrictionPenalty::add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                         std::vector<TangentBlock>& blocks) const {
+  const SlipLinearisation& friction = linear.friction;
+  if (!friction.has_fluid() || space().symmetric()) return;
+  const double d_pressure = laws().friction_bound(loads, node).d_pressure;
+  if (d_pressure == 0) return;
+  const Patch columns = linear.patch.of_field(friction.pressure_field, false);
+  MatrixXd by_pressure(linear.traction_work.size(), friction.work.size());
+  const Vector3d per_pressure = d_pressure * friction_law(loads, node).d_bound;
+  for (Index n = 0; n < friction.work.size(); ++n)
+    by_pressure.middleRows<3>(3 * n) = friction.work[n] * per_pressure * friction.pressure_weights.transpose();
+  blocks.push_back({linear.patch.of_displacements(), columns, std::move(by_pressure)});
+}
+
+void FrictionPenalty::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                           ScopedTimer& laps, NodeTangent& tangent) const {
+  if (!loads.in_contact[node]) return PenaltyMethod::add_traction_tangent(node, linear, loads, laps, tangent);
+  const VectorXd work = laws().traction_penalty(node) * linear.traction_work;
+  const bool slips = loads.slips[node];
+  const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
+  if (slips) add_pressure_block(node, linear, loads, tangent.blocks);
+  laps.friction();
+  MatrixXd both = work_of_both(work, linear.gap_variation, linear.friction.work,
+                               slips ? sliding : linear.friction.trial_variation);
+  tangent.blocks.push_back(traction_block(space(), linear.patch, std::move(both)));
 }
 
 }  // namespace mixture_contact

@@ -20,16 +20,33 @@ class PenaltyMethod : public EnforcementMethod {
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override { use(patch); }
   void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
                  const AddVector& /*add*/) const override {}
-  /// True without friction (which is a vector) and without symmetrisation, whose result is no product of two vectors.
-  bool has_load_blocks() const override { return !effects().may_rub() && !space().symmetric(); }
+  /// True without symmetrisation, whose result is no product of two vectors.
+  bool has_load_blocks() const override { return !space().symmetric(); }
   NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                            const VectorXd& weights, double dt) const override;
 
+ protected:
+  /// Adds the tangent of the traction of a node.
+  virtual void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                                    ScopedTimer& laps, NodeTangent& tangent) const;
+
  private:
-  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, ScopedTimer& laps,
-                            NodeTangent& tangent) const;
   LoadBlock flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                          double dt) const;
+};
+
+/// The method of a contact with friction. The load of a node is a vector, whose tangent is no product of two vectors.
+class FrictionPenalty final : public PenaltyMethod {
+ public:
+  using PenaltyMethod::PenaltyMethod;
+
+  bool has_load_blocks() const override { return false; }
+
+ protected:
+  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, ScopedTimer& laps,
+                            NodeTangent& tangent) const override;
+
+ private:
   /// The derivative dt_T/du of a sliding node at constant pressures.
   Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
   /// Adds the variation of a sliding node's friction with respect to the fluid pressures.

@@ -35,8 +35,7 @@ VectorXd scaled_multipliers(const NodalLaws& laws) {
   const MultiplierLayout layout = multiplier_layout(laws);
   VectorXd mu(layout.size());
   for (Index node = 0; node < laws.nodes(); ++node) {
-    if (laws.effects().traction)
-      mu[layout.traction(node)] = laws.multipliers.traction[node] / traction_unit(laws, node);
+    if (layout.has_tractions()) mu[layout.traction(node)] = laws.multipliers.traction[node] / traction_unit(laws, node);
     for (int k = 0; k < laws.effects().scalar_fields(); ++k) {
       mu[layout.flux(node, k)] = laws.multipliers.flux(k, node) / flux_unit(laws, k, node);
     }
@@ -47,8 +46,7 @@ VectorXd scaled_multipliers(const NodalLaws& laws) {
 void set_scaled_multipliers(NodalLaws& laws, const VectorXd& mu) {
   const MultiplierLayout layout = multiplier_layout(laws);
   for (Index node = 0; node < laws.nodes(); ++node) {
-    if (laws.effects().traction)
-      laws.multipliers.traction[node] = mu[layout.traction(node)] * traction_unit(laws, node);
+    if (layout.has_tractions()) laws.multipliers.traction[node] = mu[layout.traction(node)] * traction_unit(laws, node);
     for (int k = 0; k < laws.effects().scalar_fields(); ++k) {
       laws.multipliers.flux(k, node) = mu[layout.flux(node, k)] * flux_unit(laws, k, node);
     }
@@ -68,7 +66,7 @@ VectorXd UnknownMultipliers::equation_weights(const NodalLoads& loads, const Mat
   const VectorXd all = nodal_areas(space().facing().primary(), x1);
   VectorXd weights(layout.size());
   for (Index node = 0; node < space().nodes(); ++node) {
-    if (effects().traction) {
+    if (layout.has_tractions()) {
       const double area = loads.in_contact[node] ? loads.area[node] : all[node];
       weights[layout.traction(node)] = -traction_unit(laws(), node) * area;
     }
@@ -107,7 +105,7 @@ void UnknownMultipliers::equations(const NodalLoads& loads, const VectorXd& weig
     const Patch patch = space().node_patch(node, {});
     const LocalLayout layout = patch.layout();
     VectorXd residual = VectorXd::Zero(layout.size());
-    if (effects().traction) {
+    if (layout.has_displacements()) {
       residual[layout.traction_multiplier()] = weights[all.traction(node)] * traction_condition(node, loads).value;
     }
     for (int k = 0; k < effects().scalar_fields(); ++k) {
@@ -173,7 +171,7 @@ void UnknownMultipliers::add_flux_tangent(int field, Index node, const NodeLinea
 NodeTangent UnknownMultipliers::node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                                              const VectorXd& weights, double dt) const {
   NodeTangent tangent;
-  if (effects().traction) add_traction_tangent(node, linear, loads, weights, tangent.blocks);
+  if (linear.patch.displacements) add_traction_tangent(node, linear, loads, weights, tangent.blocks);
   for (int field = 0; field < effects().scalar_fields(); ++field) {
     add_flux_tangent(field, node, linear, loads, weights, dt, tangent.blocks);
   }

@@ -156,7 +156,7 @@ void set_geometric_tangent(const MortarSpace& space, const FacetPair& pair, cons
     FluxTangent& flux = at(tangent.fluxes, k);
     const int field = traction.rows.fields[k];
     set_field(traction.rows, field, false, flux.block.rows);
-    set_field(traction.rows, field, space.effects().traction, flux.block.columns);
+    set_field(traction.rows, field, traction.rows.displacements, flux.block.columns);
     set_flux(varying, k, flux);
     laps.field(field);
   }
@@ -180,18 +180,17 @@ void nodal_residual(const MortarSpace& space, const NodalLoads& loads, const Fac
     const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
     const LocalLayout layout(facet.count(), facing.secondary_facet(pair).count(), exchanged.count());
     const FacetLoads nodal = facet_loads(facet, loads, exchanged);
-    if (const std::optional<FlatPair> flat = space.flat(pair))
-      return set_flat_residual(*flat, nodal, dt, layout, residual);
-    residual.setZero(layout.size());
-    const PointsOfPair points = facing.points(pair);
-    for (Index q = 0; q < points.count(); ++q) {
-      const IntegrationPoint& place = points[q];
-      const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
+    const auto by_moments = [&](const FlatPair& flat) { set_flat_residual(flat, nodal, dt, layout, residual); };
+    const auto add_point = [&](const IntegrationPoint& place, const PointKinematics& point, const FacetVector& psi) {
       PointLoads here = loads_at(nodal, psi);
       here.weight = place.weight;
       here.time_increment = dt;
-      add_residual(facing.kinematics(pair, q), here, layout, residual);
-    }
+      add_residual(point, here, layout, residual);
+    };
+    space.integrate(pair, by_moments, [&] {
+      residual.setZero(layout.size());
+      space.for_each_point(pair, add_point);
+    });
   };
   std::map<std::vector<int>, NodalResidual> sums;  // by the exchanged fields of the pairs
   const auto sum_up = [&](Index index, const VectorXd& residual) {

@@ -94,20 +94,26 @@ bool faces_one_way(FacetType type, const FacetCoordinates& x, const Vector3d& di
   return !(towards && away);
 }
 
+bool is_nearer(const RayHit& hit, const std::optional<RayHit>& best) {
+  return !best || std::abs(hit.gap) < std::abs(best->gap);
+}
+
 }  // namespace
 
 std::optional<RayHit> intersect(FacetType type, const FacetCoordinates& x, const Vector3d& origin,
                                 const Vector3d& direction, double tolerance) {
-  const auto is_within = [&](const RayHit& hit) { return distance_outside(type, hit.eta) <= tolerance; };
+  const auto is_within = [&](const std::optional<RayHit>& hit) {
+    return hit && distance_outside(type, hit->eta) <= tolerance;
+  };
   if (type == FacetType::tri3) {
     const std::optional<RayHit> hit = on_plane(x, origin, direction);
-    return hit && is_within(*hit) ? hit : std::nullopt;
+    return is_within(hit) ? hit : std::nullopt;
   }
   if (passes_by(type, x, origin, direction, tolerance)) return std::nullopt;
   std::optional<RayHit> best;
   const auto converges_from = [&](const Vector2d& start) {
     const std::optional<RayHit> hit = newton(type, x, origin, direction, start);
-    if (hit && is_within(*hit) && (!best || std::abs(hit->gap) < std::abs(best->gap))) best = hit;
+    if (is_within(hit) && is_nearer(*hit, best)) best = hit;
     return hit.has_value();
   };
   const bool converged = converges_from(parametric_centre(type));

@@ -1,5 +1,7 @@
 #include "geometry/quadrature.h"
 
+#include "geometry/sub_facets.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 

@@ -2,6 +2,7 @@
 
 #include "base/bytes.h"
 #include "geometry/quadrature.h"
+#include "geometry/sub_facets.h"
 
 #include <Eigen/Geometry>
 

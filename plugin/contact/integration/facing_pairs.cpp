@@ -55,14 +55,14 @@ void FacingPairs::project_on_same_facets(const FacingPositions& x) {
   keep(finder_->on_same_facets(x.primary, x.secondary), x);
 }
 
-bool FacingPairs::begin_iteration(const FacingPositions& x) {
+bool FacingPairs::keep_lost_points(const FacingPositions& x) {
   const auto search_anew = [&] {
     searched_at_ = {};  // the search finds other pairs at the same positions
     search(x, reach_);
   };
   const bool finds_less = std::exchange(has_kept_, false);
   if (finds_less) search_anew();
-  const bool finds_more = finder_->begin_iteration();
+  const bool finds_more = finder_->keep_lost_points();
   if (finds_more) search_anew();
   return finds_less || finds_more;
 }

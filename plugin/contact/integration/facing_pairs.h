@@ -29,9 +29,9 @@ class FacingPairs {
   void search(const FacingPositions& x, const Reach& reach);
   /// Projects the points at new positions onto the secondary facets that the last search() found for them.
   void project_on_same_facets(const FacingPositions& x);
-  /// Begins a Newton iteration of the point finder (see PointFinder::begin_iteration()). If the finder would now find
+  /// Begins a Newton iteration of the point finder (see PointFinder::keep_lost_points()). If the finder would now find
   /// other pairs, it searches again and returns true.
-  bool begin_iteration(const FacingPositions& x);
+  bool keep_lost_points(const FacingPositions& x);
   /// Ends the Newton iterations of the point finder (see PointFinder::end_iterations()).
   void end_iterations() { has_kept_ = finder_->end_iterations() || has_kept_; }
   /// Restricts the pairs to those whose primary facet has at least one of these nodes, from the next search on.
@@ -92,9 +92,7 @@ class FacingPairs {
   /// Takes over the pairs that a search or a projection at positions x found, and evaluates them.
   void keep(FacetPairs found, const FacingPositions& x);
   /// True if the pair is integrated by moments (FlatPair) and not point by point.
-  bool has_moments(const FacetPair& pair) const {
-    return pair.unbroken && effects_.traction && !effects_.has_friction();
-  }
+  bool has_moments(const FacetPair& pair) const { return pair.unbroken && effects_.integrates_moments(); }
   /// Evaluates the moments of a pair, or the kinematics of its points.
   void evaluate(const FacetPair& pair, const FacingPositions& x);
   void evaluate_all(const FacingPositions& x);

@@ -27,6 +27,9 @@ inline constexpr double parallel_reach = 0.25;
 
 /// Unit normal in the middle of a facet.
 Vector3d middle_normal(FacetType type, const FacetCoordinates& x);
+inline Vector3d middle_normal(const Facet& facet, const Matrix3Xd& positions) {
+  return middle_normal(facet.type, facet_coordinates(facet, positions));
+}
 
 /// The facing share of two facets with these unit normals in their middles, 0 to 1.
 double facing_share(const Vector3d& n1, const Vector3d& n2);

@@ -3,6 +3,7 @@
 #include "base/bytes.h"
 #include "base/in_order.h"
 #include "geometry/quadrature.h"
+#include "geometry/sub_facets.h"
 #include "integration/facing_share.h"
 #include "integration/segments.h"
 
@@ -78,9 +79,8 @@ void FacetPairs::remove_last_pair() {
 
 std::size_t FacetPairs::memory() const { return bytes(pairs_) + bytes(points_); }
 
-Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance) {
-  const ShapeFunctions shape = shape_functions(facet.type, xi);
-  const FacetCoordinates x = facet_coordinates(facet, positions);
+Ray normal_ray(FacetType type, const FacetCoordinates& x, const Vector2d& xi, double reach, double tolerance) {
+  const ShapeFunctions shape = shape_functions(type, xi);
   const Eigen::Matrix<double, 3, 2> tangents = x * shape.gradient;
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
 }
@@ -119,7 +119,7 @@ GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVecto
   neighbours_.resize(points_.size());
 }
 
-bool GaussPoints::begin_iteration() {
+bool GaussPoints::keep_lost_points() {
   bool finds_more = false;
   for (ProjectionHistory& history : histories_) {
     const bool lost = history.at_iteration != unpaired && history.facet == unpaired;
@@ -142,15 +142,12 @@ Ray GaussPoints::ray_from(const Point& point, const Matrix3Xd& x1, const Reach& 
   Ray ray = normal_ray(facet, x1, point.xi, reach.distance, tolerance_);
   ray.overlap = self_.largest_overlap(point.facet);
   if (!self_.is_active()) ray.ahead = reach.ahead(facet, x1);
-  ray.normal = middle_normal(facet.type, facet_coordinates(facet, x1));
+  ray.normal = middle_normal(facet, x1);
   return ray;
 }
 
 double GaussPoints::share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  const Facet& one = primary_[primary];
-  const Facet& two = secondary_[secondary];
-  return facing_share(middle_normal(one.type, facet_coordinates(one, x1)),
-                      middle_normal(two.type, facet_coordinates(two, x2)));
+  return facing_share(middle_normal(primary_[primary], x1), middle_normal(secondary_[secondary], x2));
 }
 
 FacetPairs GaussPoints::paired(const std::function<std::optional<Partner>(Index)>& partner_of) {

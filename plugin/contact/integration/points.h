@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lists.h"
+#include "base/polymorphic.h"
 #include "base/settings.h"
 #include "geometry/kinematics.h"
 #include "integration/search.h"
@@ -66,7 +67,11 @@ class FacetPairs {
 };
 
 /// The ray from a point xi of a facet along the facet's outward normal. `reach` and `tolerance`: as in Ray.
-Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach, double tolerance);
+Ray normal_ray(FacetType type, const FacetCoordinates& x, const Vector2d& xi, double reach, double tolerance);
+inline Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vector2d& xi, double reach,
+                      double tolerance) {
+  return normal_ray(facet.type, facet_coordinates(facet, positions), xi, reach, tolerance);
+}
 
 /// Pointers to the pairs whose primary facets contain a node.
 using PairsAround = Span<const FacetPair*>;
@@ -78,15 +83,8 @@ using UseMotion = std::function<void(const PointMotion&)>;
 void use_no_motion(Index points, const UseMotion& use);
 
 /// Finds the integration points of a primary surface and the points of the secondary surface that they are paired with.
-class PointFinder {
+class PointFinder : public Polymorphic {
  public:
-  PointFinder() = default;
-  PointFinder(const PointFinder&) = delete;
-  PointFinder& operator=(const PointFinder&) = delete;
-  PointFinder(PointFinder&&) = delete;
-  PointFinder& operator=(PointFinder&&) = delete;
-  virtual ~PointFinder() = default;
-
   /// Finds the pairs of facets that face each other within reach, in ascending order of the primary facets. Within an
   /// iteration, the result depends on the positions alone.
   virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) = 0;
@@ -98,7 +96,7 @@ class PointFinder {
   /// Begins a Newton iteration at the positions of the last search. The finder keeps points paired from now on that
   /// have repeatedly lost the other surface at its edge. Returns true if a search at the same positions would therefore
   /// find more pairs.
-  virtual bool begin_iteration() { return false; }
+  virtual bool keep_lost_points() { return false; }
 
   /// Ends the iterations of a time step, or those before an augmentation: no point is kept at an edge any more. Returns
   /// true if any point was kept.
@@ -137,7 +135,7 @@ class GaussPoints : public PointFinder {
   FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
   /// A point that has left its facet is paired again when it returns to that facet.
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
-  bool begin_iteration() override;
+  bool keep_lost_points() override;
   bool end_iterations() override;
   bool moves_points() const override { return has_shares_; }  ///< true if a share below 1 varies the weights
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,

@@ -10,7 +10,7 @@
 /// facet.
 #pragma once
 
-#include "integration/clipping.h"
+#include "geometry/circle.h"
 #include "integration/edge_neighbours.h"
 #include "integration/points.h"
 
@@ -18,7 +18,7 @@
 
 namespace mixture_contact {
 
-struct Circle;
+struct SampledFacet;
 
 /// Order of the quadrature rule on the pieces if the user gives none: 2 if no shape function of either facet is beyond
 /// the second degree (tri3, tri6, quad4), else 3. It integrates a uniform load exactly on flat triangles and
@@ -41,7 +41,7 @@ class Segments : public PointFinder {
 
   FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
   FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
-  bool begin_iteration() override;
+  bool keep_lost_points() override;
   bool end_iterations() override;
   bool moves_points() const override { return true; }
   void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
@@ -61,17 +61,28 @@ class Segments : public PointFinder {
   };
   /// Number of losses from which a pair is kept.
   static constexpr int most_losses = 2;
+  /// The surfaces during a search.
+  struct SearchedSurfaces {
+    const Matrix3Xd& x1;
+    const Matrix3Xd& x2;
+    const Reach& reach;
+    FacetTree tree;                 ///< secondary facets
+    IndexedVector<Circle> circles;  ///< circles around the secondary facets
+  };
+  /// Sets `near` to the pairs of a primary facet. `memory`: reused memory.
+  void find_pairs(int facet, const SearchedSurfaces& at, FacetPairs& near, FacetPairs& memory) const;
+  /// Adds the pair of a primary and a secondary facet, if they overlap and the pair is kept or sees its points.
+  void add_near(int facet, int other, const SampledFacet& one, const SearchedSurfaces& at, FacetPairs& near) const;
   /// Indices of the secondary facets near a primary one.
-  std::vector<int> candidates(int facet, const FacetTree& tree, const Matrix3Xd& x1, const Reach& reach) const;
+  std::vector<int> candidates(int facet, const SearchedSurfaces& at) const;
   /// True if the pair is kept until the iterations end, because it was lost repeatedly.
   bool is_kept(const FacetPair& pair) const;
   /// True if the facets of a pair face each other within reach, and nothing hides them, at one of the pair's points.
-  bool sees(const FacetPair& pair, const IntegrationPoint& point, const Matrix3Xd& x1, const Matrix3Xd& x2,
-            const Reach& reach) const;
-  /// True if another pair in `all`, on the same primary facet, has a nearer secondary facet. `circles`: circles around
-  /// the secondary facets.
-  bool occluded(const FacetPair& pair, const FacetPairs& all, const Matrix3Xd& x1, const Matrix3Xd& x2,
-                const IndexedVector<Circle>& circles) const;
+  bool sees(const FacetPair& pair, const IntegrationPoint& point, const SearchedSurfaces& at) const;
+  /// True if another pair in `all`, on the same primary facet, has a nearer secondary facet.
+  bool occluded(const FacetPair& pair, const FacetPairs& all, const SearchedSurfaces& at) const;
+  /// True if the pairs of a primary facet are fully covered (FacetPair::unbroken).
+  bool is_fully_covered(const FacetPairs& of_facet, const SampledFacet& one, const Matrix3Xd& x2) const;
   /// Order of the quadrature rule of a pair.
   int order(const Facing& facing) const;
   /// True if the quadrature is exact for a pair: both facets are flat and the order is at least 2.

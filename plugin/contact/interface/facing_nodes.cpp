@@ -1,6 +1,7 @@
 #include "interface/facing_nodes.h"
 
 #include "base/parallel.h"
+#include "geometry/sub_facets.h"
 #include "integration/search.h"
 #include "integration/self_contact.h"
 

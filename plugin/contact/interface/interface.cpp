@@ -1,24 +1,12 @@
 #include "interface/interface.h"
 
 #include "base/parallel.h"
-#include "interface/past_iterations.h"
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 namespace mixture_contact {
 namespace {
-
-bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
-  const Index fields = effects.scalar_fields();
-  const Index with_friction = effects.may_rub() ? nodes : 0;
-  const Index with_fluxes = fields > 0 ? nodes : 0;
-  return multipliers.traction.size() == nodes && multipliers.accepted_traction.size() == nodes &&
-         multipliers.flux.rows() == fields && multipliers.flux.cols() == nodes &&
-         multipliers.flux_penalty_scale.size() == fields && multipliers.friction.cols() == with_friction &&
-         multipliers.slips.count() == with_friction && multipliers.flux_coupled.count() == with_fluxes;
-}
 
 GapReport measure_gaps(const ContactPass& pass, const FacingFields& fields) {
   return measure_gaps(pass.laws(), pass.nodal_loads(fields), fields);
@@ -42,10 +30,6 @@ void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Sett
 NodeFlags facing_contact(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
                          const NodeFlags& in_contact, const Settings& settings) {
   return in_contact_of(facing_nodes(pass, mesh, position, in_contact, settings));
-}
-
-void measure_slips(const std::vector<SidedPass>& passes, const PerSide<Matrix3Xd>& from) {
-  for (const SidedPass& pass : passes) pass.integral->measure_slips_from(seen_from(pass.side, from));
 }
 
 bool has_reduced_penalty(const Settings& settings) {
@@ -80,43 +64,6 @@ NodeFlags with_joined(NodeFlags nodes, const SurfaceMesh& mesh) {
   return nodes;
 }
 
-bool fits(const LoadCarriers& carriers, const IndexedVector<Facet>& facets) {
-  if (carriers.empty()) return true;
-  if (carriers.count() != facets.count()) return false;
-  for (Index f = 0; f < facets.count(); ++f) {
-    if (carriers[f].size() > 0 && carriers[f].size() != facets[f].count()) return false;
-  }
-  return true;
-}
-
-/// Throws std::invalid_argument unless a state has the nodes, fields and passes of a contact.
-void check(const ContactInterface::State& state, const ContactInterface& contact) {
-  const auto require = [](bool sound, const std::string& what) {
-    if (!sound) throw std::invalid_argument("a stored state of the contact does not fit it: " + what);
-  };
-  for (const int node : state.check_nodes) {
-    require(node >= 0 && node < contact.mesh(Side::secondary).nodes, "secondary node " + std::to_string(node));
-  }
-  const bool two_pass = contact.settings().two_pass;
-  require(!two_pass || state.check_nodes.empty(), "penetration-check nodes with two passes");
-  const std::size_t passes = two_pass || !state.check_nodes.empty() ? 2 : 1;
-  require(state.multipliers.size() == passes, "multipliers of " + std::to_string(state.multipliers.size()) + " passes");
-  for (std::size_t pass = 0; pass < passes; ++pass) {
-    require(fits(state.multipliers[pass], contact.mesh(both_sides.at(pass)).nodes, contact.effects()),
-            "multipliers of pass " + std::to_string(pass));
-  }
-  for (const Side side : both_sides) {
-    const Index nodes = state.slips_from[side].cols();
-    require(nodes == 0 || (contact.effects().may_rub() && nodes == contact.mesh(side).nodes),
-            "start positions of slips");
-  }
-  require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
-  for (std::size_t pass = 0; pass < passes; ++pass) {
-    require(fits(state.carriers[pass], contact.mesh(both_sides.at(pass)).facets),
-            "load carriers of pass " + std::to_string(pass));
-  }
-}
-
 }  // namespace
 
 ContactInterface::ContactInterface(PerSide<SurfaceMesh> mesh, Effects effects, Settings settings)
@@ -142,12 +89,9 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   const bool search_all = search == Search::everywhere;
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
-  if (effects_.may_rub() && slips_from_[Side::primary].size() == 0) {
-    slips_from_ = position;
-    measure_slips(passes_, slips_from_);
-  }
   searched_ = search_all;
   for (SidedPass& pass : passes_) {
+    pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (!effects_.traction) pass.faced.reset();
     if (search_all) {
       find_points(pass, position_, settings_);
@@ -163,15 +107,14 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
     pass.integral->accept_step(seen_from(pass.side, fields));
     pass.integral->laws().close_overlapped = false;
   }
-  if (!effects_.may_rub()) return;
-  slips_from_ = {{fields[Side::primary].position, fields[Side::secondary].position}};
-  measure_slips(passes_, slips_from_);
-  end_iterations();
+  if (!pass(0).laws().are_linear()) end_iterations();  // slips have another reference
 }
 
 void ContactInterface::forget_steps() {
-  for (const SidedPass& pass : passes_) pass.integral->laws().forget_steps();
-  for (Matrix3Xd& position : slips_from_) position.resize(3, 0);
+  for (const SidedPass& pass : passes_) {
+    pass.integral->laws().forget_steps();
+    pass.integral->slips().forget();
+  }
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -187,7 +130,7 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
   for (const SidedPass& pass : passes_) {
-    const bool pass_changed = pass.integral->begin_iteration(seen_from(pass.side, fields));
+    const bool pass_changed = pass.integral->geometry().begin_iteration(seen_from(pass.side, fields));
     changed = changed || pass_changed;
     timed.take(pass.integral->space().effect_times(), thread_count());
   }
@@ -196,13 +139,13 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
 }
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
-  for (const SidedPass& pass : passes_) pass.integral->linearise_at(seen_from(pass.side, fields));
+  for (const SidedPass& pass : passes_) pass.integral->geometry().linearise_at(seen_from(pass.side, fields));
 }
 
 void ContactInterface::end_iterations() {
   for (SidedPass& pass : passes_) {
     if (effects_.traction) pass.faced.reset();
-    pass.integral->end_iterations();
+    pass.integral->geometry().end_iterations();
     if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
 }
@@ -210,7 +153,7 @@ void ContactInterface::end_iterations() {
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
-    return pass.integral->is_solution(seen_from(pass.side, fields));
+    return pass.integral->geometry().is_solution(seen_from(pass.side, fields));
   });
   return agrees && faces_as_held(*this) &&
          (settings_.enforcement != Enforcement::lagrange_multipliers ||
@@ -220,9 +163,9 @@ bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
 void ContactInterface::residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const {
   TaskClock timed = measurements_.clock(Task::residual);
   for (const SidedPass& pass : passes_) {
-    pass.integral->residual(seen_from(pass.side, fields), dt, [&](const Patch& patch, const VectorXd& values) {
-      timed.in_host([&] { add({pass.side, patch}, values); });
-    });
+    pass.integral->geometry().residual(
+        seen_from(pass.side, fields), dt,
+        [&](const Patch& patch, const VectorXd& values) { timed.in_host([&] { add({pass.side, patch}, values); }); });
   }
 }
 
@@ -240,7 +183,7 @@ void ContactInterface::tangent(const PerSide<SurfaceFields>& fields, double dt, 
       parts.rows = [&](const IndexedVector<TangentBlock>& rows, double factor) {
         if (!rows.empty()) timed.in_host(rows.front().rows, [&] { add_rows(pass.side, rows, factor); });
       };
-    pass.integral->tangent(seen_from(pass.side, fields), dt, parts);
+    pass.integral->geometry().tangent(seen_from(pass.side, fields), dt, parts);
     timed.take(pass.integral->space().effect_times(), thread_count());
   }
 }
@@ -257,7 +200,7 @@ void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPl
       couplings.rows = [&](const IndexedVector<TangentBlock>& rows) {
         if (!rows.empty()) timed.in_host(rows.front().rows, [&] { use_rows(pass.side, rows); });
       };
-    pass.integral->for_each_coupling(couplings);
+    pass.integral->geometry().for_each_coupling(couplings);
   }
 }
 
@@ -321,7 +264,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
 
 void ContactInterface::restrict_second_pass() {
   if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
-  if (effects_.may_rub()) passes_.back().integral->measure_slips_from(seen_from(Side::secondary, slips_from_));
+  passes_.back().integral->slips().restore(seen_from(Side::secondary, pass(0).space().slips().state()));
   passes_.back().integral->restrict_active_set(check_.nodes);
 }
 
@@ -334,13 +277,13 @@ ContactInterface::State ContactInterface::state() const {
     state.multipliers.push_back(pass.integral->laws().multipliers);
     state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
   }
-  state.slips_from = slips_from_;
+  state.slips_from = pass(0).space().slips().state();
   return state;
 }
 
 void ContactInterface::restore(State state) {
-  check(state, *this);
-  slips_from_ = std::move(state.slips_from);
+  check(state, mesh_, effects_, settings_.two_pass);
+  pass(0).slips().restore(seen_from(Side::primary, state.slips_from));
   NodeFlags check_nodes(check_.nodes.count(), false);
   for (const int node : state.check_nodes) check_nodes[node] = true;
   if (check_nodes != check_.nodes) {
@@ -351,7 +294,7 @@ void ContactInterface::restore(State state) {
   }
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     passes_[pass].integral->laws().multipliers = std::move(state.multipliers[pass]);
-    if (effects_.may_rub()) passes_[pass].integral->measure_slips_from(seen_from(passes_[pass].side, slips_from_));
+    passes_[pass].integral->slips().restore(seen_from(passes_[pass].side, state.slips_from));
   }
   end_iterations();
   forget_past(*this);
@@ -444,6 +387,16 @@ void join(ContactInterface& contact, PerSide<NodeFlags> nodes) {
 void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
   for (const Side side : both_sides) contact.mesh_[side].immovable = std::move(nodes[side]);
   for (const SidedPass& pass : contact.passes_) pass.integral->laws().update_penalties();
+}
+
+void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+  const TaskClock timed = contact.measurements().clock(Task::residual);
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass)
+    contact.pass(pass).geometry().hold_loads(seen_from(both_sides.at(pass), fields));
+}
+
+void forget_past(ContactInterface& contact) {
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).geometry().forget_past();
 }
 
 }  // namespace mixture_contact

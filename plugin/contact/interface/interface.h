@@ -2,6 +2,7 @@
 #pragma once
 
 #include "enforcement/augmentation.h"
+#include "interface/contact_state.h"
 #include "interface/measurements.h"
 #include "interface/penetration_check.h"
 
@@ -45,10 +46,11 @@ class ContactInterface {
   void exchange_traction(bool traction);
 
   /// Begins a Newton iteration at a state, for whose positions project() has been called (see
-  /// ContactPass::begin_iteration). Returns true if the loads at this state differ from those before the call, so that
-  /// the residual has to be evaluated again.
+  /// ContactGeometry::begin_iteration). Returns true if the loads at this state differ from those before the call, so
+  /// that the residual has to be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Moves the linearisation point of an iteration to another state (see ContactPass::linearise_at), after project().
+  /// Moves the linearisation point of an iteration to another state (see ContactGeometry::linearise_at), after
+  /// project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
   void end_iterations();
@@ -124,13 +126,7 @@ class ContactInterface {
   /// Times and memory of the contact; const, because hosts add the time of their own work.
   Measurements& measurements() const { return measurements_; }
 
-  /// All data that are kept between time steps, for the host to store and restore.
-  struct State {
-    std::vector<int> check_nodes;          ///< secondary nodes to which a second pass is restricted, ascending
-    std::vector<Multipliers> multipliers;  ///< multipliers per pass
-    PerSide<Matrix3Xd> slips_from;         ///< positions from which slips are measured; empty without friction
-    std::vector<LoadCarriers> carriers;    ///< load carriers per pass, on which those of the next step depend
-  };
+  using State = ContactState;
   State state() const;
   /// Sets the state, which ends the iterations. Throws std::invalid_argument without any change if the state does not
   /// fit this contact.
@@ -146,8 +142,7 @@ class ContactInterface {
   PenetrationCheck check_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
-  PerSide<Matrix3Xd> slips_from_;  ///< positions of the last accepted state; empty without friction
-  bool searched_ = false;          ///< true if the last projection was a search for all points
+  bool searched_ = false;  ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };
 
@@ -166,5 +161,13 @@ void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 /// Sets the nodes of both surfaces that no solution can move (SurfaceMesh::immovable), and computes the penalties
 /// again.
 void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
+
+/// Decides status and loads at a state for a residual without a tangent, for explicit dynamics (see
+/// ContactGeometry::hold_loads). project() has to be called before.
+void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+
+/// Discards the data of past iterations and steps, such that later iterations depend on the state only. A continued run
+/// then gives the same results.
+void forget_past(ContactInterface& contact);
 
 }  // namespace mixture_contact

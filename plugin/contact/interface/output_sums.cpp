@@ -132,8 +132,8 @@ OutputSums sums_of(const LoadedState& state) {
   const auto sum_of_pair = [&](Index index, OutputSums& sums, VectorXd& values) {
     const FacetPair& pair = facing.pairs()[index];
     if (!carries_load(pair)) return;
-    if (const auto flat = state.space.flat(pair)) return set_by_moments(state, pair, *flat, sums);
-    set_by_points(state, pair, sums, values);
+    const auto by_moments = [&](const FlatPair& flat) { set_by_moments(state, pair, flat, sums); };
+    state.space.integrate(pair, by_moments, [&] { set_by_points(state, pair, sums, values); });
   };
   OutputSums all;
   all.set_zero(state.rows().count(), facing.primary().nodes, facing.secondary().nodes);

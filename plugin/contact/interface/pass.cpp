@@ -50,37 +50,21 @@ void ContactPass::restrict_active_set(const NodeFlags& nodes) {
 }
 
 void ContactPass::augment(const FacingFields& fields) {
-  const NodalLoads loads = nodal_loads(fields);
-  if (effects_.traction) laws_.take_traction(loads.traction);
-  laws_.multipliers.flux = loads.flux;
-  if (!loads.friction.empty()) laws_.take_friction(loads);
+  laws_.augment(nodal_loads(fields));
   geometry_->take_multipliers();
 }
 
 void ContactPass::accept_step(const FacingFields& fields) {
-  if (effects_.scalar_fields() > 0) laws_.multipliers.flux_coupled = flux_coupled();
-  if (!effects_.traction) return;
   NodalLoads loads = nodal_loads(fields);
-  laws_.multipliers.accepted_traction = loads.traction;
-  if (!effects_.may_rub()) return;
-  space_.measure_slips_from(positions(fields));
-  if (loads.friction.empty()) return;
+  space_.slips().measure_from(positions(fields));
   set_convection(loads.friction, space_, loads.in_contact, fields.primary.position);
-  laws_.take_friction(loads);
+  laws_.accept(loads);
 }
 
 void ContactPass::forget() {
-  end_iterations();
+  geometry_->end_iterations();
   space_.change_facing().clear();
   geometry_ = make_geometry();
-}
-
-void ContactPass::residual(const FacingFields& fields, double dt, const AddVector& add) const {
-  geometry_->residual(fields, dt, add);
-}
-
-void ContactPass::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
-  geometry_->tangent(fields, dt, add);
 }
 
 std::size_t ContactPass::memory() const {

@@ -1,5 +1,7 @@
 #include "mortar/boundary_weights.h"
 
+#include "geometry/sub_facets.h"
+
 #include <cmath>
 #include <utility>
 

@@ -10,18 +10,16 @@ FacetVector changes_of_pair(const MortarSpace& space, const FacetPair& pair, con
   const FacingPairs& facing = space.facing();
   const FacetCoordinates first = facet_coordinates(facing.primary_facet(pair), displacements.primary);
   const FacetCoordinates second = facet_coordinates(facing.secondary_facet(pair), displacements.secondary);
-  if (const std::optional<FlatPair> flat = space.flat(pair)) {
-    const Vector3d along = flat->area_vector;
-    return flat->moments.secondary * (second.transpose() * along) - flat->moments.primary * (first.transpose() * along);
-  }
   FacetVector sums = FacetVector::Zero(facing.primary_facet(pair).count());
-  const PointsOfPair points = facing.points(pair);
-  for (Index q = 0; q < points.count(); ++q) {
-    const IntegrationPoint& place = points[q];
-    const PointKinematics& point = facing.kinematics(pair, q);
+  const auto by_moments = [&](const FlatPair& flat) {
+    const Vector3d along = flat.area_vector;
+    sums = flat.moments.secondary * (second.transpose() * along) - flat.moments.primary * (first.transpose() * along);
+  };
+  const auto add = [&](const IntegrationPoint& place, const PointKinematics& point, const FacetVector& psi) {
     const double change = point.normal.dot(second * point.secondary_shape - first * point.primary_shape);
-    sums += place.weight * point.area * change * space.shape(pair.primary, place.sub_facet, place.xi).value;
-  }
+    sums += place.weight * point.area * change * psi;
+  };
+  space.integrate(pair, by_moments, [&] { space.for_each_point(pair, add); });
   return sums;
 }
 

@@ -73,7 +73,7 @@ VaryingFlatPair varying_flat_pair(const MortarSpace& space, const FacetPair& pai
 FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const IndexedVector<int>& fields) {
   FacetLoads nodal;
   nodal.traction = facet_values(facet, loads.traction);
-  if (!loads.friction.empty()) nodal.friction = facet_coordinates(facet, loads.friction.traction);
+  nodal.friction = facet_columns(facet, loads.friction.traction);
   for (const int field : fields) nodal.flux.push_back(facet_values(facet, loads.flux.row(field).transpose()));
   return nodal;
 }
@@ -92,14 +92,15 @@ void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const Nod
   std::vector<VaryingPoint>& points = varying.points;
   points.clear();
   varying.flat.reset();
-  if (const std::optional<FlatPair> flat = space.flat(pair)) {
-    varying.flat = varying_flat_pair(space, pair, *flat, loads, fields, dt);
-    return;
-  }
-  points.reserve(indexing::entries(pair.points));
-  const LoadedPair loaded(space, pair, loads, fields, dt);
-  space.facing().for_each_motion(pair, positions(fields), [&](const PointMotion& motion) {
-    points.emplace_back(loaded.point(count_of(points)), motion);
+  const auto by_moments = [&](const FlatPair& flat) {
+    varying.flat = varying_flat_pair(space, pair, flat, loads, fields, dt);
+  };
+  space.integrate(pair, by_moments, [&] {
+    points.reserve(indexing::entries(pair.points));
+    const LoadedPair loaded(space, pair, loads, fields, dt);
+    space.facing().for_each_motion(pair, positions(fields), [&](const PointMotion& motion) {
+      points.emplace_back(loaded.point(count_of(points)), motion);
+    });
   });
 }
 

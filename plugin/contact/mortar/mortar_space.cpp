@@ -36,23 +36,19 @@ JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   sums.fields = facing.exchanged_fields(pair);
   sums.area.setZero(facing.primary_facet(pair).count());
   sums.jump.setZero(sums.fields.count(), sums.area.size());
-  if (const std::optional<FlatPair> flat = space.flat(pair)) {
-    sums.area = flat->area * flat->weight();
+  const auto by_moments = [&](const FlatPair& flat) {
+    sums.area = flat.area * flat.weight();
     for (Index k = 0; k < sums.fields.count(); ++k)
-      sums.jump.row(k) = flat->area * flat->jump(facing.values(pair, sums.fields[k], fields));
-    return sums;
-  }
-  const PointsOfPair points = facing.points(pair);
-  for (Index q = 0; q < points.count(); ++q) {
-    const IntegrationPoint& place = points[q];
-    const PointKinematics& point = facing.kinematics(pair, q);
-    const FacetVector share = place.weight * point.area * space.shape(pair.primary, place.sub_facet, place.xi).value;
+      sums.jump.row(k) = flat.area * flat.jump(facing.values(pair, sums.fields[k], fields));
+  };
+  const auto add = [&](const IntegrationPoint& place, const PointKinematics& point, const FacetVector& psi) {
+    const FacetVector share = place.weight * point.area * psi;
     const PairVector h = point.jump_weights();
     sums.area += share;
-    for (Index k = 0; k < sums.fields.count(); ++k) {
+    for (Index k = 0; k < sums.fields.count(); ++k)
       sums.jump.row(k) += h.dot(facing.values(pair, sums.fields[k], fields)) * share;
-    }
-  }
+  };
+  space.integrate(pair, by_moments, [&] { space.for_each_point(pair, add); });
   return sums;
 }
 
@@ -74,9 +70,8 @@ Oppositions oppositions(const FacingPairs& facing, const FacingPositions& x) {
   Oppositions found{VectorXd::Zero(facing.primary().facets.count()), VectorXd::Zero(facing.primary().nodes)};
   for (const FacetPair& pair : facing.pairs()) {
     const Facet& one = facing.primary_facet(pair);
-    const Facet& two = facing.secondary_facet(pair);
-    const Vector3d n1 = middle_normal(one.type, facet_coordinates(one, x.primary));
-    const Vector3d n2 = middle_normal(two.type, facet_coordinates(two, x.secondary));
+    const Vector3d n1 = middle_normal(one, x.primary);
+    const Vector3d n2 = middle_normal(facing.secondary_facet(pair), x.secondary);
     found.facets[pair.primary] = std::max(found.facets[pair.primary], -n1.dot(n2));
     for (const int node : one) found.nodes[node] = std::max(found.nodes[node], found.facets[pair.primary]);
   }
@@ -89,12 +84,6 @@ bool is_faced_enough(double of_facet, double best, bool bore) {
   return of_facet >= (bore ? least_part_of_best : least_part_of_other) * best;
 }
 
-std::size_t bytes_of(const IndexedVector<IndexedVector<Convection>>& convections) {
-  std::size_t sum = bytes(convections);
-  for (const IndexedVector<Convection>& facet : convections) sum += bytes(facet);
-  return sum;
-}
-
 }  // namespace
 
 MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
@@ -105,30 +94,16 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
       offset_(settings.gap.offset),
-      friction_(settings.friction),
+      slips_(primary, effects, settings.friction),
       effect_times_(effects.scalar_fields()) {}
 
-void MortarSpace::measure_slips_from(const FacingPositions& past) {
-  past_ = {{past.primary, past.secondary}};
-  const IndexedVector<Facet>& facets = facing_.primary().facets;
-  convections_ = IndexedVector<IndexedVector<Convection>>(facets.count());
-  in_parallel(facets.count(), [&](Index index) {
-    const FacetCoordinates x = facet_coordinates(facets[index], past.primary);
-    for (Index corner = 0; corner < x.cols(); ++corner)
-      convections_[index].push_back(convection(facets[index], corner, x));
-  });
-}
-
-bool MortarSpace::begin_iteration(const FacingPositions& x) {
-  const bool finds_more = facing_.begin_iteration(x);
+bool MortarSpace::keep_lost_points(const FacingPositions& x) {
+  const bool finds_more = facing_.keep_lost_points(x);
   if (finds_more) gaps_.reset();
   return finds_more;
 }
 
-std::optional<FlatPair> MortarSpace::flat(const FacetPair& pair) const {
-  const FlatPair* found = facing_.flat(pair);
-  if (found == nullptr) return std::nullopt;
-  FlatPair flat = *found;
+FlatPair MortarSpace::redistributed(FlatPair flat, const FacetPair& pair) const {
   if (const std::optional<MatrixXd> heirs = weights_.heirs(pair.primary)) {
     flat.moments = flat.moments.redistributed(*heirs);
     flat.gap = *heirs * flat.gap;
@@ -137,20 +112,15 @@ std::optional<FlatPair> MortarSpace::flat(const FacetPair& pair) const {
 }
 
 FacetGapSums MortarSpace::gap_sums(const FacetPair& pair) const {
-  if (const std::optional<FlatPair> flat = this->flat(pair)) {
-    FacetGapSums sums(2, 3);
-    sums << flat->area * flat->weight().transpose(), flat->area * flat->gap.transpose();
-    return sums;
-  }
   FacetGapSums sums = FacetGapSums::Zero(2, facing_.primary_facet(pair).count());
-  const PointsOfPair points = facing_.points(pair);
-  for (Index q = 0; q < points.count(); ++q) {
-    const IntegrationPoint& place = points[q];
-    const PointKinematics& point = facing_.kinematics(pair, q);
-    const FacetVector psi = shape(pair.primary, place.sub_facet, place.xi).value;
+  const auto by_moments = [&](const FlatPair& flat) {
+    sums << flat.area * flat.weight().transpose(), flat.area * flat.gap.transpose();
+  };
+  const auto add = [&](const IntegrationPoint& place, const PointKinematics& point, const FacetVector& psi) {
     sums.row(0) += place.weight * point.area * psi;
     sums.row(1) += place.weight * point.area * point.gap * psi;
-  }
+  };
+  integrate(pair, by_moments, [&] { for_each_point(pair, add); });
   return sums;
 }
 
@@ -227,7 +197,7 @@ void MortarSpace::average_jumps(const FacingFields& fields, NodalLoads& loads) c
 NodalLoads MortarSpace::averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const {
   NodalLoads loads{std::move(gaps), std::move(status), {}, {}, {}, {}, {}};
   average_jumps(fields, loads);
-  if (effects().has_friction()) loads.friction = average_slips(*this, loads, fields);
+  loads.friction = average_slips(*this, loads, fields);
   return loads;
 }
 
@@ -237,10 +207,7 @@ void MortarSpace::measure_gaps_from(double offset) {
   gaps_.reset();
 }
 
-std::size_t MortarSpace::memory() const {
-  return facing_.memory() + weights_.memory() + bytes_of(convections_) + bytes(past_[Side::primary]) +
-         bytes(past_[Side::secondary]);
-}
+std::size_t MortarSpace::memory() const { return facing_.memory() + weights_.memory() + slips_.memory(); }
 
 bool MortarSpace::is_averaged_over(const FacetPair& pair, Index node) const {
   const Facet& facet = facing_.primary_facet(pair);
@@ -266,7 +233,7 @@ Patch MortarSpace::node_patch(Index node, const PairsAround& pairs) const {
   }
   for (const FacetPair* pair : pairs) {
     const bool is_averaged = is_averaged_over(*pair, node);
-    if (is_averaged || effects().has_friction()) merge_unique(patch.primary, facing_.primary_facet(*pair));
+    if (is_averaged || convects(*this)) merge_unique(patch.primary, facing_.primary_facet(*pair));
     if (!is_averaged) continue;
     merge_unique(patch.secondary, facing_.secondary_facet(*pair));
     merge_unique(patch.fields, facing_.exchanged_fields(*pair));
@@ -275,7 +242,7 @@ Patch MortarSpace::node_patch(Index node, const PairsAround& pairs) const {
 }
 
 Patch MortarSpace::columns_of(const Patch& patch, int field) const {
-  return patch.of_field(field, effects().traction && !symmetric_);
+  return patch.of_field(field, patch.displacements && !symmetric_);
 }
 
 NodeFlags overlapped_nodes(const MortarSpace& space) {

@@ -25,7 +25,7 @@ class MortarSpace {
   }
   const FacingPairs& facing() const { return facing_; }
   /// Begins an iteration of the pairs. Returns true if other pairs were found.
-  bool begin_iteration(const FacingPositions& x);
+  bool keep_lost_points(const FacingPositions& x);
   const Effects& effects() const { return facing_.effects(); }
   Index nodes() const { return facing_.primary().nodes; }
 
@@ -42,18 +42,26 @@ class MortarSpace {
     return weights_.shape(primary_facet, sub_facet, xi);
   }
 
-  /// The moments of a flat pair with the redistributed functions psi_a; empty if the pair has no moments (see
-  /// FacingPairs::flat).
-  std::optional<FlatPair> flat(const FacetPair& pair) const;
+  /// Calls by_moments(flat) for a pair that is integrated by moments (see FacingPairs::flat), with the redistributed
+  /// functions psi_a; else by_points(). No other code makes this choice.
+  template <class ByMoments, class ByPoints>
+  void integrate(const FacetPair& pair, const ByMoments& by_moments, const ByPoints& by_points) const {
+    if (const FlatPair* flat = facing_.flat(pair)) return by_moments(redistributed(*flat, pair));
+    by_points();
+  }
+  /// Calls use(point, kinematics, psi) for each point of a pair, in order. `psi`: functions psi_a at the point.
+  template <class Use>
+  void for_each_point(const FacetPair& pair, const Use& use) const {
+    const PointsOfPair points = facing_.points(pair);
+    for (Index q = 0; q < points.count(); ++q) {
+      const FacetVector psi = shape(pair.primary, points[q].sub_facet, points[q].xi).value;
+      use(points[q], facing_.kinematics(pair, q), psi);
+    }
+  }
 
-  /// Sets the positions relative to which slips are measured, those of the last accepted state.
-  void measure_slips_from(const FacingPositions& past);
-  /// Positions of both surfaces at the start of the step.
-  FacingPositions past() const { return seen_from(Side::primary, past_); }
-  /// Convections of the nodes of a primary facet, relative to the positions at the start of the step.
-  const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
-  /// Ambient pressure p* in the friction law [MPa].
-  double ambient_pressure() const { return friction_.ambient_pressure; }
+  /// The start of the step, from which slips are measured.
+  SlipReference& slips() { return slips_; }
+  const SlipReference& slips() const { return slips_; }
 
   /// The average gaps at the positions of the last search or projection.
   const NodalGaps& gaps() const;
@@ -88,6 +96,8 @@ class MortarSpace {
   FacetGapSums gap_sums(const FacetPair& pair) const;
 
  private:
+  /// A flat pair with the redistributed functions psi_a.
+  FlatPair redistributed(FlatPair flat, const FacetPair& pair) const;
   NodalGaps averaged_gaps() const;
   /// Sets NodalLoads::jump, flux_area and own.
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
@@ -98,9 +108,7 @@ class MortarSpace {
   bool unknown_multipliers_;
   bool symmetric_;
   double offset_;
-  const FrictionRule& friction_;
-  IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node; empty without friction
-  PerSide<Matrix3Xd> past_;  ///< primary and secondary positions at the start of the step; empty without friction
+  SlipReference slips_;
   mutable EffectTimings effect_times_;  ///< measured times, on which no result depends
   /// Average gaps with the present pairs and weights, computed when first needed.
   mutable std::optional<NodalGaps> gaps_;

@@ -24,26 +24,22 @@ SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const Facing
   const BearingPressure pressure = bearing_pressure(space, pair, fields);
   const PastFacets past = past_facets(space, pair);
   sums = {FacetCoordinates::Zero(3, count), FacetCoordinates::Zero(3, count), FacetVector::Zero(count)};
-  const PointsOfPair points = facing.points(pair);
-  for (Index q = 0; q < points.count(); ++q) {
-    const IntegrationPoint& place = points[q];
-    const PointKinematics& point = facing.kinematics(pair, q);
-    const FacetVector share = place.weight * space.shape(pair.primary, place.sub_facet, place.xi).value;
+  space.for_each_point(pair, [&](const IntegrationPoint& place, const PointKinematics& point, const FacetVector& psi) {
+    const FacetVector share = place.weight * psi;
     const Vector3d slipped = point.area * slip(point, past.primary, past.secondary);
     sums.slip += slipped.lazyProduct(share.transpose());
     sums.area_vector += point.area_vector.lazyProduct(share.transpose());
     sums.pressure += pressure_at(pressure, point) * point.area * share;
-  }
+  });
   return sums;
 }
 
 /// The side whose fluid pressure acts on the friction of a pair: the primary one if its facet has fluid, else the
 /// secondary one; empty if neither has fluid.
 std::optional<Side> bearing_side(const FacingPairs& facing, const FacetPair& pair) {
-  if (!facing.effects().has_bearing_fluid()) return std::nullopt;
-  const int field = facing.effects().pressure_field();
-  if (contains(facing.primary().permeable[pair.primary], field)) return Side::primary;
-  if (contains(facing.secondary().permeable[pair.secondary], field)) return Side::secondary;
+  const FieldMask bearing = facing.effects().bearing_fields();
+  if ((bearing & facing.primary().permeable[pair.primary]) != 0) return Side::primary;
+  if ((bearing & facing.secondary().permeable[pair.secondary]) != 0) return Side::secondary;
   return std::nullopt;
 }
 
@@ -58,7 +54,7 @@ double for_each_facet_around(const MortarSpace& space, Index node, const PairsAr
     done = pair->primary;
     const Facet& facet = space.facing().primary_facet(*pair);
     const Index corner = number_in(facet, node);
-    const Convection& there = space.convections(pair->primary)[corner];
+    const Convection& there = space.slips().convections(pair->primary)[corner];
     use(facet, there);
     areas += there.area;
   }
@@ -87,6 +83,7 @@ void for_each_primary_facet(const MortarSpace& space, const Use& use) {
 
 NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields) {
   NodalFriction friction;
+  if (!convects(space)) return friction;
   const Index nodes = space.nodes();
   friction.slip.setZero(3, nodes);
   friction.area_vector.setZero(3, nodes);
@@ -103,13 +100,14 @@ NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, c
       pressure[node] += sums.pressure[a] / loads.area[node];
     }
   });
-  if (space.effects().has_bearing_fluid()) friction.pressure = std::move(pressure);
+  if (space.effects().bearing_fields() != 0) friction.pressure = std::move(pressure);
   set_convection(friction, space, loads.in_contact, fields.primary.position);
   return friction;
 }
 
 void set_convection(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
                     const Matrix3Xd& x1) {
+  if (friction.empty()) return;
   friction.convection.fill(space.nodes(), Eigen::Matrix3d::Zero());
   VectorXd areas = VectorXd::Zero(space.nodes());
   for_each_primary_facet(space, [&](int index, const Facet& facet) {
@@ -117,7 +115,7 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
     for (Index corner = 0; corner < facet.count(); ++corner) {
       const int node = facet.node(corner);
       if (!in_contact[node]) continue;
-      const Convection& there = space.convections(index)[corner];
+      const Convection& there = space.slips().convections(index)[corner];
       friction.convection[node] += there.area * convected(there, x);
       areas[node] += there.area;
     }
@@ -141,7 +139,7 @@ Matrix3Xd convection_around(const MortarSpace& space, Index node, const PairsAro
 }
 
 PastFacets past_facets(const MortarSpace& space, const FacetPair& pair) {
-  const FacingPositions past = space.past();
+  const FacingPositions past = space.slips().past();
   return {facet_coordinates(space.facing().primary_facet(pair), past.primary),
           facet_coordinates(space.facing().secondary_facet(pair), past.secondary)};
 }
@@ -155,7 +153,7 @@ BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair
   const Facet& facet = primary ? facing.primary_facet(pair) : facing.secondary_facet(pair);
   const SurfaceFields& surface = primary ? fields.primary : fields.secondary;
   const FacetVector values = facet_values(facet, surface.scalar.col(field));
-  return {primary ? 0 : facing.primary_facet(pair).count(), values.array() - space.ambient_pressure()};
+  return {primary ? 0 : facing.primary_facet(pair).count(), values.array() - space.slips().ambient_pressure()};
 }
 
 double pressure_at(const BearingPressure& pressure, const PointKinematics& point) {

@@ -1,11 +1,14 @@
 /// Nodal averages for friction: slip, normal, convection F_a of the surface since the start of the step, and fluid
-/// pressure.
+/// pressure. They are empty without friction.
 #pragma once
 
 #include "geometry/slip.h"
 #include "mortar/mortar_space.h"
 
 namespace mixture_contact {
+
+/// True if the averages of a node include its convection.
+inline bool convects(const MortarSpace& space) { return space.effects().has_friction(); }
 
 /// The averages for friction at the nodes in contact.
 NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields);

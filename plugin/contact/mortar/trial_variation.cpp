@@ -8,7 +8,7 @@ Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisa
                           const NodalFriction& friction) {
   // The trial is tau = (1 - n n) F v with v = lambda - eps s. Therefore dtau = (1 - n n) (F dv + dF v) - dn (n.F v) - n
   // (dn.F v), where dv = -eps ds, dF v = sum_b dx_b (C_b.v), and dn = (1 - n n) dm/|m| for the mean area vector m.
-  const NodeLinearisation::Friction& vary = linear.friction;
+  const SlipLinearisation& vary = linear.friction;
   const FrictionTrial trial = friction.geometric.size() > 0
                                   ? carried_trial(friction, node, friction.geometric.col(node))
                                   : laws.friction_trial(friction, node);
@@ -29,9 +29,8 @@ Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisa
 }
 
 void vary_trials(const NodalLaws& laws, const NodalLoads& loads, IndexedVector<NodeLinearisation>& nodes) {
-  if (loads.friction.empty()) return;
-  in_parallel(nodes.count(), [&](Index node) {
-    if (nodes[node].friction.empty() || !loads.in_contact[node]) return;
+  in_parallel(loads.friction.slip.cols(), [&](Index node) {
+    if (nodes[node].empty() || !loads.in_contact[node]) return;
     nodes[node].friction.trial_variation = trial_variation(laws, node, nodes[node], loads.friction);
   });
 }

@@ -11,7 +11,7 @@ namespace mixture_contact {
 Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisation& linear,
                           const NodalFriction& friction);
 
-/// Sets NodeLinearisation::Friction::trial_variation for all nodes in contact.
+/// Sets SlipLinearisation::trial_variation for all nodes in contact.
 void vary_trials(const NodalLaws& laws, const NodalLoads& loads, IndexedVector<NodeLinearisation>& nodes);
 
 }  // namespace mixture_contact

@@ -1,5 +1,6 @@
 #include "tie/tied_node.h"
 
+#include "geometry/sub_facets.h"
 #include "interface/facing_nodes.h"
 #include "mortar/mortar_space.h"
 

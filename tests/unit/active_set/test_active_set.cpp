@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(a_node_that_slid_without_friction_begins_a_step_sliding) {
   for (const bool slid : {true, false}) {
     pass.laws().multipliers.slips = NodeFlags(pass.laws().nodes(), slid);
     const NodalLoads loads = pass.nodal_loads({scene.fields[Side::primary], scene.fields[Side::secondary]});
-    const NodeFlags slips = ActiveSet(pass.laws()).initial_slip(loads);
+    const NodeFlags slips = ActiveSet(pass.laws()).initial_friction(loads).slips;
     for (Index node = 0; node < slips.count(); ++node) BOOST_TEST(slips[node] == slid);
   }
 }

@@ -43,9 +43,9 @@ BOOST_AUTO_TEST_CASE(a_point_whose_projection_is_lost_twice_in_a_step_is_kept_be
   Squares squares;
   for (int loss = 1; loss <= 2; ++loss) {
     BOOST_TEST(squares.seen(0).size() == 4);
-    BOOST_TEST(!squares.points.begin_iteration());
+    BOOST_TEST(!squares.points.keep_lost_points());
     BOOST_TEST(squares.seen(half).size() == 2);
-    BOOST_TEST(squares.points.begin_iteration() == (loss == 2));
+    BOOST_TEST(squares.points.keep_lost_points() == (loss == 2));
   }
   const double place = 1 / std::sqrt(3.0);
   const std::vector<double> kept = squares.seen(half);
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_point_whose_projection_is_lost_twice_in_a_step_is_kept_be
   BOOST_TEST(std::abs(kept.back() - place + 1) <= rounding);
   const auto same = squares.points.on_same_facets(squares.below.position, squares.shifted(half));
   BOOST_TEST(same.pairs().front().points == 4);
-  BOOST_TEST(!squares.points.begin_iteration());
+  BOOST_TEST(!squares.points.keep_lost_points());
   BOOST_TEST(squares.seen(0.75).size() == 2);  // points more than half a square beyond the edge are lost
   squares.points.end_iterations();
   BOOST_TEST(squares.seen(half).size() == 2);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(points_that_pass_an_edge_once_are_let_go) {
   Squares squares;
   for (const double shift : {0.0, half, half, half}) {
     squares.seen(shift);
-    BOOST_TEST(!squares.points.begin_iteration());
+    BOOST_TEST(!squares.points.keep_lost_points());
   }
   BOOST_TEST(squares.seen(half).size() == 2);
 }

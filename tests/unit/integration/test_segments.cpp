@@ -386,12 +386,12 @@ BOOST_AUTO_TEST_CASE(facets_that_lose_each_other_twice_in_a_step_see_each_other_
   const double beyond = 1.1 * parallel_reach;
   for (const bool finds_more : {false, true}) {
     BOOST_TEST(sees_at(within));
-    BOOST_TEST(!segments.begin_iteration());
+    BOOST_TEST(!segments.keep_lost_points());
     BOOST_TEST(!sees_at(beyond));
-    BOOST_TEST(segments.begin_iteration() == finds_more);
+    BOOST_TEST(segments.keep_lost_points() == finds_more);
   }
   BOOST_TEST(sees_at(beyond));
-  BOOST_TEST(!segments.begin_iteration());
+  BOOST_TEST(!segments.keep_lost_points());
   BOOST_TEST(segments.end_iterations());
   BOOST_TEST(!sees_at(beyond));
   BOOST_TEST(!segments.end_iterations());

@@ -1,5 +1,4 @@
 #include "contact/interface/corrections.h"
-#include "contact/interface/held_loads.h"
 #include "contact/interface/relocation.h"
 
 #include "surfaces.h"

@@ -27,11 +27,11 @@ class ProjectedPass : public ContactPass {
 
 void residual_of(const ContactPass& pass, const Scene& scene,
                  const std::function<void(const Patch&, const VectorXd&)>& use) {
-  pass.residual(seen_from(Side::primary, scene.fields), dt, use);
+  pass.geometry().residual(seen_from(Side::primary, scene.fields), dt, use);
 }
 
 void tangent_of(const ContactPass& pass, const Scene& scene, const std::function<void(const TangentBlock&)>& use) {
-  pass.tangent(seen_from(Side::primary, scene.fields), dt, {use, {}, {}});
+  pass.geometry().tangent(seen_from(Side::primary, scene.fields), dt, {use, {}, {}});
 }
 
 /// The number of integration points that have a pair.
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(tangents_stay_within_the_profile) {
   const ProjectedPass pass(scene);
   std::set<std::pair<Unknown, Unknown>> profile;
   std::set<std::pair<Unknown, Unknown>> filled;
-  pass.for_each_coupling({[&](const Patch& patch) { add_couplings(profile, patch, patch); }, {}, {}});
+  pass.geometry().for_each_coupling({[&](const Patch& patch) { add_couplings(profile, patch, patch); }, {}, {}});
   tangent_of(pass, scene, [&](const TangentBlock& block) {
     BOOST_TEST(block.values.rows() == block.rows.layout().size());
     BOOST_TEST(block.values.cols() == block.columns.layout().size());
