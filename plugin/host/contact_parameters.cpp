@@ -241,8 +241,8 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
                                  largest_traction_factor(solver, settings.enforcement));
   const double flux_factor = sees_both_ways(p) ? two_pass_flux_factor : default_flux_factor;
   settings.traction = penalty_rule(p.penalties.traction, p.penalties.auto_penalty, factor);
-  settings.softens_fixed_gaps = !p.penalties.traction.given ||
-                                settings.enforcement == Enforcement::lagrange_multipliers;
+  settings.traction.softens_fixed_gaps = !p.penalties.traction.given ||
+                                         settings.enforcement == Enforcement::lagrange_multipliers;
   settings.reduced_traction = {borne_reduction(p, factor, reduction.divisor), reduction.kept};
   settings.solvent = penalty_rule(p.penalties.solvent, p.penalties.auto_penalty, flux_factor);
   settings.solute = penalty_rule(p.penalties.solute, p.penalties.auto_penalty, flux_factor);

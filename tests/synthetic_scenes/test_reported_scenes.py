@@ -94,9 +94,9 @@ def test_a_scene_runs_as_with_febios_interface(name, tmp_path):
 
 
 @pytest.mark.usefixtures("runner")
-@pytest.mark.parametrize("name", ("plates-tet4", "plates-tet10-incompressible", "plates-biphasic"))
+@pytest.mark.parametrize("name", ["plates-tet4", "plates-tet10-incompressible", "plates-biphasic"])
 def test_clamped_edges_under_rigid_plates_need_no_shorter_steps(name, tmp_path):
-    """No solution can change the overlap of a clamped node and a plate, and their neighbours do not compensate for it."""
+    """No solution can change the overlap of a clamped node and a plate, and its neighbours do not make up for it."""
     row = comparison.compare(name, SCENES[name], tmp_path, LIMIT, ("defaults",))
     assert row.defaults.ended, row.defaults.why
     assert row.defaults.retries == row.febio.retries == 0

@@ -28,9 +28,13 @@ struct PenaltyRule {
   double value = 1.0;
   /// Time step in which elements store the field [s], on which the automatic penalty depends; 0: without storage.
   double time_step = 0;
+  /// For tractions. True: the penalty of nodes whose gap no solution can change is at most the stiffness of the
+  /// elements, also if multipliers are unknowns, and augmentations leave these nodes out.
+  bool softens_fixed_gaps = false;
 
   friend bool operator==(const PenaltyRule& a, const PenaltyRule& b) {
-    return a.automatic == b.automatic && a.value == b.value && a.time_step == b.time_step;
+    return a.automatic == b.automatic && a.value == b.value && a.time_step == b.time_step &&
+           a.softens_fixed_gaps == b.softens_fixed_gaps;
   }
 };
 
@@ -136,9 +140,6 @@ struct SearchRule {
 struct Settings {
   Enforcement enforcement = Enforcement::penalty;
   PenaltyRule traction{true, default_traction_factor};
-  /// True: the traction penalty of nodes whose gap no solution can change is at most the stiffness of the elements, also
-  /// if multipliers are unknowns, and augmentations leave these nodes out.
-  bool softens_fixed_gaps = false;
   PenaltyRule solvent{true, default_flux_factor};
   PenaltyRule solute{true, default_flux_factor};
   FrictionRule friction;

@@ -109,7 +109,7 @@ void NodalLaws::forget_steps() {
 void NodalLaws::update_penalties() {
   scalars_ = scalar_conditions(effects_, settings_.membrane, share_of_film(primary_, settings_));
   penalties_ = at_nodes(mixture_contact::penalties(primary_, secondary_, effects_, settings_), primary_);
-  soft_ = settings_.softens_fixed_gaps ? nodes_of_fixed_gap(primary_, secondary_) : NodeFlags();
+  soft_ = settings_.traction.softens_fixed_gaps ? nodes_of_fixed_gap(primary_, secondary_) : NodeFlags();
   soften(penalties_, soft_);
 }
 
@@ -201,23 +201,6 @@ Matrix3Xd convected_friction(const Multipliers& multipliers, const NodalFriction
   return present;
 }
 
-VectorXd NodalLaws::stiffness_over_penalty() const {
-  VectorXd part = VectorXd::Ones(nodes());
-  for (Index node = 0; node < nodes() && !between_rigid_bodies; ++node) {
-    const double penalty = traction_penalty(node);
-    if (penalty > penalties_.stiffness[node]) part[node] = penalties_.stiffness[node] / penalty;
-  }
-  return part;
-}
-
-VectorXd NodalLaws::growing_penalties() const {
-  VectorXd growing = penalties_.traction;
-  for (Index node = 0; node < soft_.count(); ++node) {
-    if (soft_[node]) growing[node] = 0;
-  }
-  return growing;
-}
-
 void NodalLaws::augment(const NodalLoads& loads) {
   if (effects_.traction) multipliers.traction = admissible(normal(), loads.traction);
   for (Index node = 0; node < soft_.count(); ++node) {
@@ -232,6 +215,16 @@ void NodalLaws::accept(const NodalLoads& loads) {
   if (!effects_.traction) return;
   multipliers.accepted_traction = loads.traction;
   take_friction(multipliers, loads);
+}
+
+VectorXd stiffness_over_penalty(const NodalLaws& laws) {
+  VectorXd part = VectorXd::Ones(laws.nodes());
+  for (Index node = 0; node < laws.nodes() && !laws.between_rigid_bodies; ++node) {
+    const double penalty = laws.traction_penalty(node);
+    const double stiffness = laws.penalties().stiffness[node];
+    if (penalty > stiffness) part[node] = stiffness / penalty;
+  }
+  return part;
 }
 
 void drop_new_fluxes(const Multipliers& multipliers, MatrixXd& flux) {

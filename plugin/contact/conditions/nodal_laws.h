@@ -82,14 +82,12 @@ class NodalLaws {
   /// The penalties at the nodes, without the factors of augmentations.
   const Penalties& penalties() const { return penalties_; }
   /// True if no solution can change the gap of a node, and it therefore has a soft penalty and no augmentation
-  /// (Settings::softens_fixed_gaps).
+  /// (PenaltyRule::softens_fixed_gaps).
   bool has_soft_gap(Index node) const { return soft_.count() > 0 && soft_[node]; }
   /// The penalty eps_n of a node [N/mm^3], with the factor of augmentations.
   double traction_penalty(Index node) const {
-    return scaled(multipliers.traction_penalty_scale, node) * penalties_.traction[node];
+    return (has_soft_gap(node) ? 1.0 : multipliers.traction_penalty_scale) * penalties_.traction[node];
   }
-  /// The stiffness of the adjoining elements over the traction penalty per node, at most 1 [-]; 1 between rigid bodies.
-  VectorXd stiffness_over_penalty() const;
   /// The flux penalty of a field at a node, with the factor of augmentations.
   double flux_penalty(Index field, Index node) const {
     return multipliers.flux_penalty_scale[field] * penalties_.flux(field, node);
@@ -104,12 +102,11 @@ class NodalLaws {
 
   /// The tangential penalty eps_T of a node [N/mm^3], with the factor of augmentations.
   double friction_penalty(Index node) const {
-    return scaled(multipliers.friction_penalty_scale, node) * friction_factor() * penalties_.traction[node];
+    const double scale = has_soft_gap(node) ? 1.0 : multipliers.friction_penalty_scale;
+    return scale * friction_factor() * penalties_.traction[node];
   }
   /// The tangential penalty divided by the traction penalty [-].
   double friction_factor() const { return settings_.friction.penalty_factor; }
-  /// The traction penalties that augmentations may increase, without their factor; 0 at nodes that they leave out.
-  VectorXd growing_penalties() const;
 
   // Upper limit of augmented traction penalties, as a factor on the stiffness.
   double largest_traction_factor() const {
@@ -129,8 +126,6 @@ class NodalLaws {
   /// The trial load that decides the initial status of a node. Surfaces without traction are in contact by their gaps,
   /// for any penalty.
   LawValue initial_trial(Index node, double gap) const;
-  /// True if loads are linear in gaps and jumps, which excludes friction.
-  bool are_linear() const { return !effects_.may_rub(); }
 
   /// Sets traction and fluxes of the nodes in contact from gaps and jumps; if `with_penalty` is false, to the
   /// multipliers.
@@ -178,9 +173,6 @@ class NodalLaws {
   bool holds_rigid_body = false;
 
  private:
-  /// A factor of augmentations at a node.
-  double scaled(double factor, Index node) const { return has_soft_gap(node) ? 1.0 : factor; }
-
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
   const Effects& effects_;
@@ -189,6 +181,12 @@ class NodalLaws {
   NodeFlags soft_;  ///< nodes whose gap no solution can change; empty if there is none or their penalties are as given
   IndexedVector<std::unique_ptr<ScalarCondition>> scalars_;  ///< condition per field
 };
+
+/// True if loads are linear in gaps and jumps, which excludes friction.
+inline bool are_linear(const NodalLaws& laws) { return !laws.effects().may_rub(); }
+
+/// The stiffness of the adjoining elements over the traction penalty per node, at most 1 [-]; 1 between rigid bodies.
+VectorXd stiffness_over_penalty(const NodalLaws& laws);
 
 /// At the start of a step, sets the fluxes for the geometric part of the tangent to zero at nodes that were not
 /// flux-coupled at the end of the last step. Their jumps are not caused by fluxes; times a large penalty they would

@@ -4,6 +4,19 @@
 #include <cmath>
 
 namespace mixture_contact {
+namespace {
+
+/// The traction penalties that augmentations may increase, without their factor; 0 at nodes that they leave out.
+VectorXd growing_penalties(const NodalLaws& laws) {
+  VectorXd growing = laws.penalties().traction;
+  for (Index node = 0; node < growing.size(); ++node) {
+    if (laws.has_soft_gap(node)) growing[node] = 0;
+  }
+  return growing;
+}
+
+}  // namespace
+
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
   GapSums traction;
   GapSums slip;
@@ -34,7 +47,7 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
 bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& tolerances) {
   const Penalties& penalty = laws.penalties();
   Multipliers& state = laws.multipliers;
-  const VectorXd growing = laws.growing_penalties();
+  const VectorXd growing = growing_penalties(laws);
   bool any = grow(state.traction_penalty_scale, report.traction, tolerances.traction, growing, penalty.stiffness,
                   laws.largest_traction_factor());
   any = grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_factor() * growing,

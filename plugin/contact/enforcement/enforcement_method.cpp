@@ -10,7 +10,7 @@ namespace mixture_contact {
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws) {
   if (enforcement == Enforcement::lagrange_multipliers) return std::make_unique<UnknownMultipliers>(space, laws);
-  if (laws.are_linear()) return std::make_unique<PenaltyMethod>(space, laws);
+  if (are_linear(laws)) return std::make_unique<PenaltyMethod>(space, laws);
   return std::make_unique<FrictionPenalty>(space, laws);
 }
 

@@ -44,7 +44,7 @@ void HeldLinearisation::has_matrix(HostMatrix matrix) {
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
 bool HeldLinearisation::is_correctable() const {
-  return has_matrix_ && point_->is_linearised() && method_.predicts() && laws_.are_linear();
+  return has_matrix_ && point_->is_linearised() && method_.predicts() && are_linear(laws_);
 }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields, ContactStatus status) const {
@@ -214,7 +214,7 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
 void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
                                     const AddVector& add) const {
   // The works of nodes in contact are known, except those of friction and the fluxes of nodes that have opened.
-  const bool has_works = point_->is_linearised() && laws_.are_linear() && laws_.effects().nodal_fields() == 0;
+  const bool has_works = point_->is_linearised() && are_linear(laws_) && laws_.effects().nodal_fields() == 0;
   if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);
   linear_residual(point_->nodes, change.loads, fields, dt, add);
   const NodeFlags others = unknown_of(change.loads.in_contact);

@@ -80,7 +80,7 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
   point.primary = fields.primary;
   point.secondary = fields.secondary;
   point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
-  point.beyond_part = laws_.stiffness_over_penalty();
+  point.beyond_part = stiffness_over_penalty(laws_);
   return point;
 }
 
@@ -89,7 +89,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   // multipliers exclude reuse, because their rows include all nodes, and friction does, because slips are measured from
   // the start of each step.
   const bool begins = !point_ && method_.predicts();
-  const bool reuses = begins && laws_.are_linear();
+  const bool reuses = begins && are_linear(laws_);
   let_go();
   std::optional<PastLinearisation> past = last_.take();
   if (reuses) {

@@ -36,8 +36,8 @@ struct SurfaceMesh {
   bool is_joined(Index node) const { return joined.count() > 0 && joined[node]; }
 };
 
-/// The primary nodes whose gap no solution can change: they are immovable, and so are all secondary nodes. Empty if there
-/// is none.
+/// The primary nodes whose gap no solution can change: they are immovable, and so are all secondary nodes. Empty if
+/// there is none.
 NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
 /// Sets SurfaceMesh::joined, the nodes that both surfaces contain. `numbers`: for each surface, the numbers of its

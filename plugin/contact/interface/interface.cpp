@@ -107,7 +107,7 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
     pass.integral->accept_step(seen_from(pass.side, fields));
     pass.integral->laws().close_overlapped = false;
   }
-  if (!pass(0).laws().are_linear()) end_iterations();  // slips have another reference
+  if (!are_linear(pass(0).laws())) end_iterations();  // slips have another reference
 }
 
 void ContactInterface::forget_steps() {

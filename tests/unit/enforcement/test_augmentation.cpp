@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_bear_load_in_a_solution_stay_in_contact_after_it
 
 BOOST_AUTO_TEST_CASE(augmentations_leave_nodes_of_fixed_gap_out) {
   Scene scene = loaded_scene();
-  scene.settings.softens_fixed_gaps = true;
+  scene.settings.traction.softens_fixed_gaps = true;
   scene.settings.tolerances = {{1e-6, 0}, off, off, {}};
   const auto contact = scene.contact();
   PerSide<NodeFlags> immovable;
