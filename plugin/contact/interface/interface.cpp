@@ -385,6 +385,9 @@ void join(ContactInterface& contact, PerSide<NodeFlags> nodes) {
 }
 
 void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
+  const bool is_new = std::any_of(both_sides.begin(), both_sides.end(),
+                                  [&](Side side) { return nodes[side] != contact.mesh_[side].immovable; });
+  if (!is_new) return;
   for (const Side side : both_sides) contact.mesh_[side].immovable = std::move(nodes[side]);
   for (const SidedPass& pass : contact.passes_) pass.integral->laws().update_penalties();
 }
