@@ -240,8 +240,11 @@ SolverKind ContactSetup::solver_kind() {
 void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) {
   Settings settings = core_settings(parameters_, solver_kind(), reduction);
   settings.solvent.time_step = storing_time_step(fem_);
-  set_immovable(contact.core(), {{dofs_.immovable_nodes(Side::primary), dofs_.immovable_nodes(Side::secondary)}});
   contact.core().update_laws(settings);
+}
+
+void ContactSetup::find_immovable_nodes(const BoundContact& contact) const {
+  set_immovable(contact.core(), {{dofs_.immovable_nodes(Side::primary), dofs_.immovable_nodes(Side::secondary)}});
 }
 
 bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind_of(fem_)); }

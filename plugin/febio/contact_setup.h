@@ -34,6 +34,8 @@ class ContactSetup {
   bool build(BoundContact& contact);
   /// Reads the materials again, for automatic penalties.
   void update_properties(const BoundContact& contact) const;
+  /// Finds the nodes that cannot move, once FEBio has numbered the equations of the present analysis step.
+  void find_immovable_nodes(const BoundContact& contact) const;
   /// Sets penalties and tolerances to their values at the present time. `reduction`: reduction of automatic traction
   /// penalties.
   void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction);

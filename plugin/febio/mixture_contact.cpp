@@ -99,6 +99,7 @@ void FEMixtureContact::find_self_contact() {
 
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction(bound_);
+  setup_.find_immovable_nodes(bound_);
   assembly_.forget_matrix();
   dofs_.number_multipliers(first);
   const int multipliers = indexing::as_int(multiplier_layout(core()).size());
@@ -157,6 +158,7 @@ void FEMixtureContact::Deactivate() {
 
 void FEMixtureContact::PrepStep() {
   read_properties();
+  setup_.find_immovable_nodes(bound_);  // the surfaces may have changed since FEBio numbered the equations
   if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
   if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
   model_->prepare_step(*this);

@@ -28,7 +28,7 @@ struct PenaltyRule {
   double value = 1.0;
   /// Time step in which elements store the field [s], on which the automatic penalty depends; 0: without storage.
   double time_step = 0;
-  /// For tractions. True: the penalty of nodes whose gap no solution can change is at most the stiffness of the
+  /// True: the traction penalty of nodes whose gap no solution can change is at most the stiffness of the
   /// elements, also if multipliers are unknowns, and augmentations leave these nodes out.
   bool softens_fixed_gaps = false;
 

@@ -43,8 +43,9 @@ const std::vector<RulePoint>& nodal_rule(FacetType type) {
 NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& secondary) {
   const auto is_set = [](bool flag) { return flag; };
   const NodeFlags& faced = secondary.immovable;
+  const NodeFlags& own = primary.immovable;
   const bool is_fixed = faced.count() > 0 && std::all_of(faced.begin(), faced.end(), is_set) &&
-                        std::any_of(primary.immovable.begin(), primary.immovable.end(), is_set);
+                        std::any_of(own.begin(), own.end(), is_set) && !std::all_of(own.begin(), own.end(), is_set);
   return is_fixed ? primary.immovable : NodeFlags();
 }
 

@@ -37,7 +37,7 @@ struct SurfaceMesh {
 };
 
 /// The primary nodes whose gap no solution can change: they are immovable, and so are all secondary nodes. Empty if
-/// there is none.
+/// there is none, or if no primary node can move.
 NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
 /// Sets SurfaceMesh::joined, the nodes that both surfaces contain. `numbers`: for each surface, the numbers of its

@@ -140,7 +140,9 @@ BOOST_AUTO_TEST_CASE(a_gap_is_fixed_where_no_node_on_either_side_can_move) {
   sides.secondary.immovable[0] = false;
   BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
   sides.secondary.immovable[0] = true;
-  sides.primary.immovable[1] = false;
+  sides.primary.immovable = NodeFlags(sides.primary.nodes, true);
+  BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
+  sides.primary.immovable = NodeFlags(sides.primary.nodes, false);
   BOOST_TEST(nodes_of_fixed_gap(sides.primary, sides.secondary).empty());
 }
 
