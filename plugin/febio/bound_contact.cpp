@@ -59,7 +59,6 @@ PerSide<SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs, 
     FEMixtureSurface& surface = surfaces[side];
     all[side].position = std::move(x[side]);
     all[side].scalar.resize(surface.Nodes(), effects.nodal_fields());
-    all[side].rigid = rigid_parts(surface);
     for (int k = 0; k < effects.nodal_fields(); ++k) {
       const int dof = dofs.field(side, effects, k);
       in_parallel(surface.Nodes(),
@@ -88,7 +87,11 @@ void BoundContact::rewind_to(const NumberedState& before) {
   go_on_from(before);
 }
 
-PerSide<SurfaceFields> BoundContact::fields() const { return fields_of(surfaces_, dofs_, core_->effects()); }
+PerSide<SurfaceFields> BoundContact::fields() const {
+  PerSide<SurfaceFields> all = fields_of(surfaces_, dofs_, core_->effects());
+  for (const Side side : both_sides) all[side].rigid = rigid_parts(surfaces_[side]);
+  return all;
+}
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);

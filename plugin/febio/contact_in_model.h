@@ -2,17 +2,11 @@
 #pragma once
 
 #include "assembly.h"
+#include "contact/base/polymorphic.h"
 
 /// Access to a contact of a model.
-class ContactInModel {
+class ContactInModel : public mixture_contact::Polymorphic {
  public:
-  ContactInModel() = default;
-  ContactInModel(const ContactInModel&) = delete;
-  ContactInModel& operator=(const ContactInModel&) = delete;
-  ContactInModel(ContactInModel&&) = delete;
-  ContactInModel& operator=(ContactInModel&&) = delete;
-  virtual ~ContactInModel() = default;
-
   /// True if the contact is active in the present step of the analysis.
   virtual bool is_active() const = 0;
   virtual BoundContact& bound() = 0;

@@ -4,6 +4,7 @@
 /// with the call; the first call of each event acts for all contacts.
 #pragma once
 
+#include "contact/base/polymorphic.h"
 #include "solver/helper.h"
 #include "stepper.h"
 
@@ -12,15 +13,8 @@
 namespace mixture_contact {
 
 /// A contact at the present state of its model, as ContactSteps uses it.
-class SteppedContact {
+class SteppedContact : public Polymorphic {
  public:
-  SteppedContact() = default;
-  SteppedContact(const SteppedContact&) = delete;
-  SteppedContact& operator=(const SteppedContact&) = delete;
-  SteppedContact(SteppedContact&&) = delete;
-  SteppedContact& operator=(SteppedContact&&) = delete;
-  virtual ~SteppedContact() = default;
-
   /// Projects the integration points at the present positions.
   virtual void project() = 0;
   /// Prepares the contact for a new time step.

@@ -80,7 +80,8 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
   point.primary = fields.primary;
   point.secondary = fields.secondary;
   point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
-  point.beyond_part = stiffness_over_penalty(laws_);
+  if (!point.primary.rigid.body.empty() || !point.secondary.rigid.body.empty())
+    point.beyond_part = stiffness_over_penalty(laws_);
   return point;
 }
 

@@ -309,7 +309,8 @@ NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) co
 
 std::size_t LinearisationPoint::memory() const {
   std::size_t sum = bytes_of(loads) + primary.memory() + secondary.memory() + bytes(geometric_traction) +
-                    bytes(geometric_flux) + bytes(geometric_friction) + bytes(equation_weights) + bytes(nodes);
+                    bytes(geometric_flux) + bytes(geometric_friction) + bytes(equation_weights) + bytes(beyond_part) +
+                    bytes(nodes);
   for (const NodeLinearisation& node : nodes) {
     sum += bytes(node.patch) + bytes(node.gap_variation) + bytes(node.traction_work) + bytes(node.jumps);
     sum += bytes_of(node.friction);

@@ -59,7 +59,7 @@ struct LinearisationPoint {
   VectorXd equation_weights;  ///< weights of the equations of unknown multipliers
   /// Per node, the part of beyond_linear() that the predicted averages include: the stiffness of the elements over the
   /// penalty, at most 1 [-]. In the next iteration the elements follow this motion, which then causes a traction of
-  /// their stiffness, not of the penalty.
+  /// their stiffness, not of the penalty. Empty without rigid bodies.
   VectorXd beyond_part;
 
   /// Sets the loads in the geometric part of the tangent.

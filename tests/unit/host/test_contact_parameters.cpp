@@ -37,6 +37,20 @@ BOOST_AUTO_TEST_CASE(beside_a_given_penalty_the_tangential_one_is_the_same) {
   BOOST_TEST(core_settings(parameters).friction.penalty_factor == 1);
 }
 
+BOOST_AUTO_TEST_CASE(fixed_gaps_are_soft_unless_a_given_penalty_is_what_acts_there) {
+  ContactParameters parameters;
+  const auto is_soft = [&](mixture_contact::Enforcement enforcement) {
+    parameters.enforcement.laugon = static_cast<int>(enforcement);
+    return core_settings(parameters).traction.softens_fixed_gaps;
+  };
+  for (const bool given : {false, true}) {
+    parameters.penalties.traction.given = given;
+    BOOST_TEST(is_soft(mixture_contact::Enforcement::penalty) == !given);
+    BOOST_TEST(is_soft(mixture_contact::Enforcement::augmented_lagrangian) == !given);
+    BOOST_TEST(is_soft(mixture_contact::Enforcement::lagrange_multipliers));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_given_tangential_penalty_is_a_factor_whatever_the_other) {
   ContactParameters parameters = with_friction();
   parameters.friction.tangential_penalty.given = true;
