@@ -141,6 +141,7 @@ Ray GaussPoints::ray_from(const Point& point, const Matrix3Xd& x1, const Reach& 
   const Facet& facet = primary_[point.facet];
   Ray ray = normal_ray(facet, x1, point.xi, reach.distance, tolerance_);
   ray.overlap = self_.largest_overlap(point.facet);
+  ray.moved = reach.moved;
   if (!self_.is_active()) ray.ahead = reach.ahead(facet, x1);
   ray.normal = middle_normal(facet, x1);
   return ray;
@@ -166,7 +167,7 @@ FacetPairs GaussPoints::paired(const std::function<std::optional<Partner>(Index)
 FacetPairs GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
   for (ProjectionHistory& history : histories_) history.facet = unpaired;
   has_shares_ = false;
-  if (!surfaces_within_reach(x1, x2, reach.distance)) return {};
+  if (!surfaces_within_reach(x1, x2, reach.backwards())) return {};
   moving_.move_to(x2);
   visibility_.move_to(x1, x2);
   const auto hit_of = [&](Index q) {

@@ -95,14 +95,15 @@ bool Segments::sees(const FacetPair& pair, const IntegrationPoint& point, const 
   const double gap = apart.dot(ray.direction);
   const double tilted = tilted_reach(middle_normal(one, at.x1), middle_normal(two, at.x2));
   const bool is_near = self_.is_active() || gap <= tilted * at.reach.ahead(one, at.x1);
-  return apart.norm() <= at.reach.distance && is_near && gap >= -self_.largest_overlap(pair.primary) &&
+  const bool is_within = gap <= at.reach.distance && apart.norm() <= at.reach.backwards();
+  return is_within && is_near && gap >= -self_.largest_overlap(pair.primary) &&
          !visibility_.is_hidden(ray.origin, ray.direction, gap, pair.primary, pair.secondary);
 }
 
 std::vector<int> Segments::candidates(int facet, const SearchedSurfaces& at) const {
   const Ray ray = normal_ray(primary_[facet], at.x1, parametric_centre(primary_[facet].type), at.reach.distance, 0);
   const double width = radius_around(facet_coordinates(primary_[facet], at.x1), ray.origin);
-  std::vector<int> found = at.tree.candidates(ray.origin, ray.direction, at.reach.distance, width);
+  std::vector<int> found = at.tree.candidates(ray.origin, ray.direction, at.reach.backwards(), width);
   self_.keep_visible(facet, found);
   return found;
 }
@@ -178,7 +179,7 @@ void Segments::find_pairs(int facet, const SearchedSurfaces& at, FacetPairs& nea
 FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
   FacetPairs found;
   paired_.clear();
-  if (!surfaces_within_reach(x1, x2, reach.distance)) return found;
+  if (!surfaces_within_reach(x1, x2, reach.backwards())) return found;
   visibility_.move_to(x1, x2);
   const SearchedSurfaces at{x1, x2, reach, FacetTree(secondary_, x2, box_margin), circles_around(secondary_, x2)};
   const auto find = [&](Index facet, FacetPairs& near, FacetPairs& memory) {

@@ -43,10 +43,9 @@ Matrix3Xd nodal_normals(const SurfaceMesh& mesh, const Matrix3Xd& position) {
 }
 
 IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
-                                                       const FacingPositions& x, const Settings& settings) {
-  const Reach reach = reach_of(settings, x);
+                                                       const FacingPositions& x, const Reach& reach, double tolerance) {
   IndexedVector<std::optional<SurfaceHit>> hits(own.nodes);
-  if (!surfaces_within_reach(x.primary, x.secondary, reach.distance)) return hits;
+  if (!surfaces_within_reach(x.primary, x.secondary, reach.backwards())) return hits;
   const FacetTree tree(other.facets, x.secondary, box_margin);
   Visibility visibility(own, other);
   visibility.move_to(x.primary, x.secondary);
@@ -54,7 +53,8 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
   const VectorXd ahead = farthest_ahead(own, x.primary, reach);
   const VectorXd overlaps = largest_overlaps_of_nodes(own);
   in_parallel(hits.count(), [&](Index node) {
-    Ray ray{x.primary.col(node), normals.col(node), reach.distance, settings.search.tolerance};
+    Ray ray{x.primary.col(node), normals.col(node), reach.distance, tolerance};
+    ray.moved = reach.moved;
     if (own.may_meet_itself()) {
       ray.overlap = overlaps[node];
     } else {
@@ -71,8 +71,9 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings) {
   const double least_share = pass.integral->active_set().options().contact_share;
-  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[other(pass.side)], mesh[pass.side],
-                                                                      seen_from(other(pass.side), position), settings);
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(
+      mesh[other(pass.side)], mesh[pass.side], seen_from(other(pass.side), position),
+      pass.integral->space().facing().reach(), settings.search.tolerance);
   const VectorXd share = VectorXd::NullaryExpr(in_contact.count(),
                                                [&](Index node) { return in_contact[node] ? 1.0 : 0.0; });
   IndexedVector<FacingNode> nodes(hits.size());

@@ -32,9 +32,9 @@ struct FacingNode {
 Reach reach_of(const Settings& settings, const FacingPositions& x);
 
 /// The points that the nodes of the primary surface in `x` face on the secondary one along their normals, within reach
-/// and not hidden; empty for nodes that face nothing.
+/// and not hidden; empty for nodes that face nothing. `tolerance`: see SearchRule.
 IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
-                                                       const FacingPositions& x, const Settings& settings);
+                                                       const FacingPositions& x, const Reach& reach, double tolerance);
 
 /// The points that nodes of the other surface face. `in_contact`: nodes in contact of the surface over which the pass
 /// integrates.

@@ -21,9 +21,13 @@ SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& 
   return {side, std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings), {}, {}};
 }
 
-void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Settings& settings) {
-  const FacingPositions x = seen_from(pass.side, position);
-  pass.integral->project(x, reach_of(settings, x));
+/// The largest distance by which two surfaces may have moved relative to each other [length].
+double largest_motion(const PerSide<Matrix3Xd>& from, const PerSide<Matrix3Xd>& to) {
+  const Vector3d common = (to[Side::secondary] - from[Side::secondary]).rowwise().mean();
+  const auto of_side = [&](Side side) {
+    return ((to[side] - from[side]).colwise() - common).colwise().norm().maxCoeff();
+  };
+  return of_side(Side::primary) + of_side(Side::secondary);
 }
 
 /// The nodes of the other surface that face contact.
@@ -90,11 +94,12 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
   searched_ = search_all;
+  if (accepted_[Side::primary].cols() == 0) accepted_ = position_;
   for (SidedPass& pass : passes_) {
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (!effects_.traction) pass.faced.reset();
     if (search_all) {
-      find_points(pass, position_, settings_);
+      find_points(pass);
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
@@ -107,6 +112,7 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
     pass.integral->accept_step(seen_from(pass.side, fields));
     pass.integral->laws().close_overlapped = false;
   }
+  accepted_ = {fields[Side::primary].position, fields[Side::secondary].position};
   if (!are_linear(pass(0).laws())) end_iterations();  // slips have another reference
 }
 
@@ -124,6 +130,13 @@ void ContactInterface::exchange_traction(bool traction) {
     pass.integral->forget();
   }
   for (Matrix3Xd& position : position_) position.resize(3, 0);
+}
+
+void ContactInterface::find_points(SidedPass& pass) const {
+  const FacingPositions x = seen_from(pass.side, position_);
+  Reach reach = reach_of(settings_, x);
+  if (settings_.search.radius > 0) reach.moved = largest_motion(accepted_, position_);
+  pass.integral->project(x, reach);
 }
 
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
@@ -257,7 +270,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
-  find_points(passes_.back(), position_, settings_);
+  find_points(passes_.back());
   if (joins) passes_.back().integral->geometry().start_inactive(seen_from(Side::secondary, fields));
   return found;
 }

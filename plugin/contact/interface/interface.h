@@ -135,6 +135,9 @@ class ContactInterface {
  private:
   /// Restricts the second pass to the penetration-check nodes. It makes this pass if there is none.
   void restrict_second_pass();
+  /// Searches for the points of a pass in the present configuration. Within a step, overlaps may exceed a given search
+  /// radius by the motion of the step, because an iteration may move a body too far.
+  void find_points(SidedPass& pass) const;
 
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;
@@ -142,7 +145,8 @@ class ContactInterface {
   PenetrationCheck check_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
-  bool searched_ = false;  ///< true if the last projection was a search for all points
+  PerSide<Matrix3Xd> accepted_;  ///< positions in the last accepted state
+  bool searched_ = false;        ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };
 

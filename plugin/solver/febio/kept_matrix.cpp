@@ -17,11 +17,10 @@ namespace {
 /// stops an active set that cycles.
 constexpr int most_iterations = 50;
 
-/// The largest factor by which an iteration with a kept matrix may reduce the residual, for the matrix to be kept
-/// longer. With corrections, which discard FEBio's updates, the reduction is uniform: at this rate ten iterations leave
-/// a thousandth, which a single iteration with a new matrix usually achieves. The size is a choice, the same as
-/// ActiveSetOptions::most_left.
-constexpr double most_left = 0.5;
+/// The largest fraction of the residual that an iteration with a kept matrix may leave, for the matrix to be kept
+/// longer. With corrections, which discard FEBio's updates, the fraction is uniform: at this rate three iterations
+/// leave a thousandth, which a single iteration with a new matrix usually achieves. The size is a choice.
+constexpr double most_left = 0.1;
 
 /// Number of matrices in a step whose corrections may leave too much of the residual. After that, each iteration of the
 /// step has a new matrix. The size is a choice: one such matrix may have been assembled just before a large change of

@@ -69,6 +69,19 @@ BOOST_AUTO_TEST_CASE(points_that_pass_an_edge_once_are_let_go) {
   BOOST_TEST(squares.seen(half).size() == 2);
 }
 
+BOOST_AUTO_TEST_CASE(the_motion_of_a_step_extends_the_search_for_overlaps_alone) {
+  Reach reach = 1;
+  reach.moved = 1;
+  for (const double overlap : {-1.5, 1.5}) {
+    const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, overlap, 1, 1);
+    const GridSurface below = grid_surface(grids[Side::primary], 0);
+    const GridSurface above = grid_surface(grids[Side::secondary], 0);
+    GaussPoints finder(below.mesh.facets, above.mesh.facets, 3, 0.01);
+    BOOST_TEST(finder.search(below.position, above.position, 1).pairs().empty());
+    BOOST_TEST(finder.search(below.position, above.position, reach).pairs().empty() == (overlap < 0));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(points_of_a_pair_lie_together_in_whatever_order_they_are_found) {
   // Nine points of a square, row by row, face two by two squares.
   const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 2);

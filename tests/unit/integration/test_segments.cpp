@@ -373,6 +373,22 @@ BOOST_AUTO_TEST_CASE(facets_out_of_reach_are_not_seen) {
   BOOST_TEST(pairs_of(scene).pairs().empty());
 }
 
+BOOST_AUTO_TEST_CASE(the_motion_of_a_step_extends_the_reach_of_overlaps_alone) {
+  Reach reach = 1;
+  reach.moved = 1;
+  for (const double overlap : {-1.5, 1.5}) {
+    const Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3, overlap);
+    Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
+    const auto sees = [&](const Reach& within) {
+      return !segments.search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, within)
+                  .pairs()
+                  .empty();
+    };
+    BOOST_TEST(!sees(1));
+    BOOST_TEST(sees(reach) == (overlap > 0));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(facets_that_lose_each_other_twice_in_a_step_see_each_other_until_its_iterations_end) {
   const Scene scene = squares(FacetType::quad4, FacetType::quad4, 1, 1, 0.0);
   const Matrix3Xd& x1 = scene.fields[Side::primary].position;

@@ -35,3 +35,22 @@ BOOST_AUTO_TEST_CASE(surfaces_that_are_apart_do_not_overlap) {
   BOOST_TEST(found.depth == 0);
   BOOST_TEST(found.share == 0);
 }
+
+BOOST_AUTO_TEST_CASE(within_a_step_overlaps_may_exceed_the_search_radius_by_its_motion) {
+  for (const Integration integration : {Integration::gauss, Integration::segments}) {
+    Settings settings = looking_as_far_as(0.125, explicit_settings(4, 2, 8));
+    settings.integration = integration;
+    Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.0625, 2, 3), effects_of(false, 0), settings);
+    const auto contact = scene.contact();
+    const auto overlap_after = [&](const Vector3d& both, double deeper) {
+      for (const Side side : both_sides) scene.fields[side].position.colwise() += both;
+      scene.fields[Side::secondary].position.row(2).array() -= deeper;
+      contact->project(scene.position());
+      return largest_overlap(*contact, scene.fields).depth;
+    };
+    BOOST_TEST(std::abs(overlap_after({0, 0, 0}, 0.1875) - 0.25) <= rounding);
+    contact->accept_step(scene.fields);
+    BOOST_TEST(overlap_after({0.5, 0, 0}, 0.0) == 0);  // both bodies together
+    BOOST_TEST(overlap_after({0, 0, 0}, -0.3125) == 0);
+  }
+}

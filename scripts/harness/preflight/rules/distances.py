@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from harness.preflight.finding import Finding, error, note, short, warning
+from harness.preflight.finding import Finding, note, short, warning
 from harness.preflight.sides import Joint
 
 DEEP = 0.25
@@ -27,11 +27,12 @@ def search_radius(joint: Joint) -> Iterator[Finding]:
     nearest = float(known[np.argmin(np.abs(known))])
     where = "set" if given is not None else "the default"
     if nearest < 0.0:
-        yield error(
+        yield warning(
             "search-radius",
             tag,
             f"the surfaces overlap by {short(-nearest)} at the start, more than <search_radius> {short(radius)} "
-            f"({where}): the contact does not find the overlap, and the bodies pass through each other",
+            f"({where}): the contact does not find this overlap. The bodies pass through each other, unless the overlap "
+            "is that of the far side of a body",
             f"Move the bodies apart, or set <search_radius> to {short(-1.5 * nearest)}.",
         )
     else:
