@@ -64,8 +64,7 @@ struct IntegrationParameters {
 struct SearchParameters {
   Given<double> tolerance{0.01};  ///< <search_tol>: see SearchRule::tolerance [-]
   Given<double> radius;           ///< <search_radius>: see SearchRule::radius [length]
-  /// Accepted for models of FEBio's interfaces, without effect.
-  int seg_up = 0;
+  int seg_up = 0;                 ///< <seg_up>: number of iterations of a step with a new search; 0: all
 };
 
 /// Changes of a surface before the first step.

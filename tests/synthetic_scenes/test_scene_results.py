@@ -18,7 +18,7 @@ def test_a_run_that_the_limit_ended_is_told_from_one_that_failed():
     one, two = scene_results.table(ROWS).splitlines()[2:]
     assert "| 28 (1) | 1.0e-02 |  | limit after 4 steps | fails after 4 steps (6) |" in one
     assert "| 28 (1) | not available |" in two
-    assert scene_results.summary(ROWS).endswith("The limit stopped runs: defaults 1.")
+    assert scene_results.summary(ROWS).endswith("The limit stopped runs: penalties deleted 1.")
 
 
 def test_the_predictor_is_compared_where_both_runs_end():

@@ -63,7 +63,7 @@ ZERO = {
     "pressure_penalty": "no solvent crosses with 0, as in FEBio",
     "concentration_penalty": "no solute crosses with 0, as in FEBio",
     "search_radius": "FEBio finds no facets within a radius of 0, and its contact has no effect; the radius of "
-    "sliding-mixture then follows the size of the surfaces, and the contact acts",
+    "sliding-mixture is then automatic, and the contact acts",
 }
 """What 0 means, of parameters that may be 0."""
 DEFAULT = "1"
@@ -73,7 +73,7 @@ WRITTEN = {
     "penalty": _PENALTY,
     "pressure_penalty": _PENALTY,
     "concentration_penalty": _PENALTY,
-    "search_radius": "convert writes FEBio's default; the automatic radius follows the size of the surfaces",
+    "search_radius": "convert writes FEBio's default; the automatic radius depends on the sizes of facets and surfaces",
 }
 IMPERMEABLE = {"effects": "traction", "free_draining": "0"}
 IMPERMEABLE_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
@@ -121,7 +121,7 @@ def _fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
 
 def _zero(kind: ContactType, name: str) -> str:
     if name == "search_radius" and kind.name in UNLIMITED_SEARCH:
-        return "FEBio has no limit with 0; the radius of sliding-mixture follows the size of the surfaces"
+        return "FEBio has no limit with 0; the radius of sliding-mixture is then automatic"
     return ZERO[name]
 
 

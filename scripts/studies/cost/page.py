@@ -40,7 +40,7 @@ class Advice(NamedTuple):
 
 
 RECOMMENDED = (
-    Advice("a result", "nothing", Parameter.DEFAULT, 0.0),
+    Advice("a result", "the defaults", Parameter.DEFAULT, 0.0),
     Advice("a softer contact", "`auto_penalty` 1, all three penalties 100", Parameter.PENALTY, 100.0),
     Advice("no gap and no jump", "`laugon` `LAGMULT`", Parameter.LAGMULT, 1.0),
 )

@@ -157,5 +157,10 @@ def fastest(data: Sequence[Datum], error: float) -> Datum | None:
 def _paid(datum: Datum | None) -> str:
     if datum is None:
         return "not reached"
-    what = "default" if datum.parameter == Parameter.DEFAULT.value else f"{datum.parameter} {datum.value:g}"
-    return f"{what}: {datum.iterations} it., {cost_of(datum):.3g}"
+    return f"{_setting(datum)}: {datum.iterations} it., {cost_of(datum):.3g}"
+
+
+def _setting(datum: Datum) -> str:
+    points = ", segments" if datum.value else ", Gauss points"
+    words = {Parameter.DEFAULT.value: "default", Parameter.LAGMULT.value: f"LAGMULT{points}"}
+    return words.get(datum.parameter, f"{datum.parameter} {datum.value:g}")

@@ -33,7 +33,7 @@ COLUMNS = (
         "converted",
         "displacements differ by",
         "fields differ by",
-        "defaults",
+        "penalties deleted",
         "with `predictor` 1",
     ),
     "worse in",
@@ -165,7 +165,7 @@ def _cells(row: Row) -> tuple[str, ...]:
         _number(row.converted.of_fields),
         cell(row.defaults),
         cell(row.predicted),
-        worse(row, {"converted": "converted", "defaults": "defaults"}),
+        worse(row, {"converted": "converted", "defaults": "penalties deleted"}),
     )
 
 
@@ -237,7 +237,12 @@ def _predictor(rows: Sequence[Row]) -> str:
 
 def _limit(rows: Sequence[Row]) -> str:
     """Which runs the limit ended."""
-    ways = {"FEBio's": "febio", "converted": "converted", "defaults": "defaults", "with the predictor": "predicted"}
+    ways = {
+        "FEBio's": "febio",
+        "converted": "converted",
+        "penalties deleted": "defaults",
+        "with the predictor": "predicted",
+    }
     counts = {name: sum(getattr(row, way).at_limit for row in rows) for name, way in ways.items()}
     told = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
     return f"The limit stopped runs: {told}." if told else "The limit stopped no run."
