@@ -31,8 +31,8 @@ def search_radius(joint: Joint) -> Iterator[Finding]:
             "search-radius",
             tag,
             f"the surfaces overlap by {short(-nearest)} at the start, more than <search_radius> {short(radius)} "
-            f"({where}): the contact does not find this overlap. The bodies pass through each other, unless the overlap "
-            "is that of the far side of a body",
+            f"({where}): the contact does not find this overlap. The bodies pass through each other, unless the "
+            "overlap is that of the far side of a body",
             f"Move the bodies apart, or set <search_radius> to {short(-1.5 * nearest)}.",
         )
     else:
