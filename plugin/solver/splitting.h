@@ -47,7 +47,7 @@ bool are_empty(const MatrixParts& parts);
 struct Split {
   std::vector<double> product;  ///< D x, such that K x' = b - D x gives the solution of (K + D) x' = b; empty for zero
   bool converges = true;        ///< true if each iteration reduced the change to less than a half
-  std::vector<double> x;        ///< the vector x of `product`; empty if D is zero
+  std::vector<double> x;        ///< the vector x of `product`; empty if D is zero, or without convergence
   double change = 0;            ///< norm of D times the change of x in the last iteration
   double reduction = 0;         ///< factor by which an iteration reduces this change
 };
@@ -66,7 +66,7 @@ struct SeenSweeps {
 
 /// Iterates for (K + D) x = b, except for the last iteration K x' = b - D x, which the caller has to perform. The
 /// product D x' then has the relative error `tolerance`, or the tolerance of `seen`. If the iteration does not
-/// converge, the result is that before the first iteration with a growing change. `right`: b.
+/// converge, x is the solution of least residual in a Krylov space. `right`: b.
 Split split(const Solve& solve, const MatrixParts& parts, const std::vector<double>& right, double tolerance,
             const SeenSweeps& seen = {});
 

@@ -135,7 +135,8 @@ void ContactInterface::exchange_traction(bool traction) {
 void ContactInterface::find_points(SidedPass& pass) const {
   const FacingPositions x = seen_from(pass.side, position_);
   Reach reach = reach_of(settings_, x);
-  if (settings_.search.radius > 0) reach.moved = largest_motion(accepted_, position_);
+  const bool extends = settings_.search.radius > 0 && !mesh_[Side::primary].may_meet_itself();
+  if (extends) reach.moved = largest_motion(accepted_, position_);
   pass.integral->project(x, reach);
 }
 
