@@ -13,6 +13,7 @@ from harness.models.diffusion import Diffusion
 from harness.models.interface import InterfaceType
 from harness.models.parts import Control
 from harness.paths import REPOSITORY
+from harness.run import engine
 from studies.cli import COMMANDS, main
 
 
@@ -192,3 +193,19 @@ def test_report_compiles_where_it_runs_the_model_first(entry_module, monkeypatch
 )
 def test_a_command_compiles_what_it_needs(entry_module, arguments, targets):
     assert entry_module.targets_of(arguments[0], arguments[1:]) == targets
+
+
+def test_febio4_is_found_where_the_build_finds_febio(tmp_path, monkeypatch):
+    build = (REPOSITORY / "cmake" / "FindFEBio.cmake").read_text()
+    assert [root.replace("~", "$ENV{HOME}") for root in engine.USUAL_ROOTS] == re.findall(
+        r'"?((?:\$ENV\{HOME\}|/usr|/opt)/[\w/]+)"?', build[build.index('set(_febio_bases "$ENV{HOME}') :].split(")")[0]
+    )
+    monkeypatch.setattr(engine, "USUAL_ROOTS", ("~/febio4", "~/FEBioStudio"))
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.delenv("FEBIO_ROOT", raising=False)
+    program = tmp_path / "FEBioStudio" / "febio" / "bin" / "febio4"
+    program.parent.mkdir(parents=True)
+    program.write_text("#!/bin/sh\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", "")
+    assert engine.find_engine() == program

@@ -69,28 +69,37 @@ class Febio4:
         return command(model, required_plugin() if plugin else None, options)
 
 
+USUAL_ROOTS = (
+    "~/febio4",
+    "/usr/local/febio4",
+    "/opt/febio4",
+    "~/FEBioStudio",
+    "~/FEBioStudio2",
+    "/opt/FEBioStudio",
+)
+"""Folders of FEBio, as in cmake/FindFEBio.cmake."""
+
+
 def find_engine() -> Path:
-    """The febio4 executable: under ``$FEBIO_ROOT`` (itself, or bin/ in it), else ~/febio4/bin, else on the PATH.
+    """The febio4 executable: under ``$FEBIO_ROOT``, else in the folders that the build searches, else on the PATH.
 
     Raises
     ------
     EngineNotFoundError
         Where there is none, saying where it was looked for.
     """
-    candidates: list[Path] = []
-    root = os.environ.get("FEBIO_ROOT")
-    if root:
-        candidates += [Path(root) / "bin" / _FEBIO, Path(root) / _FEBIO]
-    candidates.append(Path.home() / "febio4" / "bin" / _FEBIO)
+    given = os.environ.get("FEBIO_ROOT")
+    roots = [Path(given)] if given else [Path(root).expanduser() for root in USUAL_ROOTS]
+    candidates = [root / part / _FEBIO for root in roots for part in ("bin", "../bin", "febio/bin", ".")]
     on_path = shutil.which("febio4")
     if on_path:
         candidates.append(Path(on_path))
     for candidate in candidates:
         if candidate.is_file() and os.access(candidate, os.X_OK):
             return candidate.resolve()
-    looked = ", ".join(str(c) for c in candidates)
+    looked = ", ".join(str(root) for root in roots)
     raise EngineNotFoundError(
-        f"febio4 was not found (looked for {looked}, and on the PATH). "
+        f"febio4 was not found (looked in {looked}, and on the PATH). "
         "Set FEBIO_ROOT to the folder that holds bin/febio4."
     )
 
