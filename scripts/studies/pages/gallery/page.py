@@ -112,7 +112,7 @@ def _table(entries: list[Entry], results: Results) -> str:
         r = results.records[entry.model.name]
         counts = (r.nodes, r.elements, r.steps, r.iterations, r.retries, f"{r.cpu:g}")
         rows.append((f"[{entry.title}](#{_anchor(entry.title)})", *counts))
-    return f"{tables.markdown(heads, rows)}\n\nThe runs used {results.stamp}, with default penalties."
+    return f"{tables.markdown(heads, rows)}\n\nThe runs used {results.stamp}. Only the last model sets a penalty."
 
 
 def _anchor(title: str) -> str:
