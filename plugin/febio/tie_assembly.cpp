@@ -130,7 +130,7 @@ void TieAssembly::residual(const Tie& tie, FEGlobalVector& residual, double dt) 
 }
 
 void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix& matrix, double dt,
-                          double softening) const {
+                          const Softening& softening) const {
   const NodeEquations equations = equations_of(tie);
   const PerSide<SurfaceFields> fields = fields_of(surfaces_, dofs_, tie.effects());
   const RigidShellBottoms arms(surfaces_);

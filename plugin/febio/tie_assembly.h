@@ -17,7 +17,7 @@ class TieAssembly {
   void add_to_profile(const mixture_contact::Tie& tie, FEGlobalMatrix& matrix) const;
   void residual(const mixture_contact::Tie& tie, FEGlobalVector& residual, double dt) const;
   void tangent(const mixture_contact::Tie& tie, FELinearSystem& system, FEGlobalMatrix& matrix, double dt,
-               double softening) const;
+               const mixture_contact::Softening& softening) const;
 
  private:
   NodeEquations equations_of(const mixture_contact::Tie& tie) const;

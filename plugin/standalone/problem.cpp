@@ -224,7 +224,7 @@ void Problem::assemble(LinearSystem& system) const {
       const std::vector<int> places = tie.places(patch);
       system.add(places, places, -block);
     };
-    tie.core().tangent(tie.fields(state_.values), dt_, 1, add);
+    tie.core().tangent(tie.fields(state_.values), dt_, {}, add);
   }
 }
 

@@ -96,7 +96,7 @@ struct TiedScene {
 
   MatrixXd tangent() {
     MatrixXd sum = MatrixXd::Zero(size(), size());
-    tie->tangent(scene.fields, dt, 1, [&](const Patch& patch, const MatrixXd& values) {
+    tie->tangent(scene.fields, dt, {}, [&](const Patch& patch, const MatrixXd& values) {
       const std::vector<Index> ids = entries(patch);
       sum(ids, ids) += values;
     });

@@ -12,6 +12,7 @@ from scenes.delamination import (
     WHOLE,
     Strips,
     double_cantilever_beam,
+    drawn_along,
     end_notched_flexure,
     path_of_peeling,
     peeled,
@@ -100,6 +101,19 @@ def test_viscosity_raises_the_load_of_a_zone_that_is_too_short(solve):
         opening, load, _ = drawn_apart(solve, f"viscous-{viscosity}", strips)
         found[viscosity] = np.mean(load / load_by_theory(strips, opening))
     assert 1 < found[0.01] < found[0.02]
+
+
+# ------------------------------------------------------------ bonds that shear
+
+UNCRACKED = Strips(length=4.0, crack=-1.0, modulus=5.0, steps=20)
+
+
+@pytest.mark.parametrize(("strength", "energy", "drawn"), [(0.15, 4.5e-3, 0.2), (0.05, 5e-4, 0.07)])
+def test_steps_in_which_bonds_shear_converge_with_the_default_penalty(solve, strength, energy, drawn):
+    strips = replace(UNCRACKED, strength=strength, energy=energy, opening=drawn)
+    folder, _ = solve("drawn-along", drawn_along(strips))
+    assert "failed to converge" not in (folder / "model.log").read_text()
+    assert small.table(folder / "surface-up-tied.txt")[-1, 0, 5] > 0
 
 
 # ------------------------------------------------------------ end-notched flexure

@@ -11,7 +11,7 @@ from PIL import Image
 
 from harness.models.interface import InterfaceType
 from harness.paths import DOCS, MODELS
-from studies.models import joint, platens
+from studies.models import delamination, joint, platens
 from studies.pages.gallery import cycle, entries, figures, page
 from studies.stamps import Stamp
 
@@ -97,6 +97,24 @@ def test_the_force_on_the_platens_relaxes(shown):
     assert set(curves.sides) == {"sample-bottom", "sample-top", "permeable-bottom"}
     assert "exchanges traction. No solvent" in result.log
     assert "exchanges traction, solvent, solute 1." in result.log
+
+
+def test_solute_crosses_the_tie_of_the_plug_into_the_bone(shown):
+    _, result, curves = shown("plug")
+    assert np.all(np.diff(curves.contents["bone"]) >= 0.0)
+    assert curves.contents["bone"][-1] > 0.1 * curves.contents["cartilage"][-1]
+    assert "exchanges traction, solvent, solute 1." in result.log
+
+
+def test_solute_enters_the_crack_below_the_layer(shown):
+    """Nodes of the layer take the concentration of the bath once the crack is open there."""
+    _, result, curves = shown("delamination")
+    assert curves.contents["bone"][-1] > curves.contents["bone"][0]
+    bottom = np.unique(result.model.mesh.surfaces["layer-bottom"]) - 1
+    open_nodes = (np.abs(result.nodes["c1"][-1, bottom] - delamination.BATH) < 1e-6) & (
+        result.nodes["x"][0, bottom] > 0
+    )
+    assert np.count_nonzero(open_nodes) >= 2
 
 
 def test_records_that_were_made_with_something_else_are_left_out(tmp_path):

@@ -130,10 +130,11 @@ BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vec
   return load;
 }
 
-BondHessian yielding_derivative(double penalty, double damage, const Vector3d& gap, const Vector3d& normal) {
+BondHessian derivative_at(Constant constant, double penalty, double damage, const Vector3d& gap,
+                          const Vector3d& normal) {
   const Opening opening = opening_of(gap, normal);
   const double square = opening.size * opening.size;
-  if (!(square > 0)) return secant(penalty, damage, opening);
+  if (constant == Constant::damage || !(square > 0)) return secant(penalty, damage, opening);
   return secant(penalty, damage, opening) -
          (penalty * (1 - damage) / square) * opening.half_square * opening.half_square.transpose();
 }

@@ -45,10 +45,25 @@ struct BondLoad {
 /// The loads of a bond. `penalty`: K. `damage`: d of the accepted state. `normal`: unit normal out of the primary body.
 BondLoad bond_load(const Cohesive& law, double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
 
-/// The derivative of the loads of a bond as if its traction were constant while the bond opens. The energy of a bond
-/// whose damage grows is concave in the opening and below its tangent plane; iterations with this derivative therefore
-/// reduce the energy.
-BondHessian yielding_derivative(double penalty, double damage, const Vector3d& gap, const Vector3d& normal);
+/// A quantity that the derivative of a bond's loads takes as constant although damage grows. The energy of a bond is
+/// then concave in the opening and in its square.
+enum class Constant {
+  /// The traction while the bond opens. Moves are long. They may turn back and overshoot if bonds shear.
+  traction,
+  /// The damage. Moves are short. The energy is below its second-order expansion wherever the bond moves without
+  /// closing, and iterations reduce it.
+  damage
+};
+
+/// The part of softening that the derivative of a bond's loads includes.
+struct Softening {
+  double part = 1;                        ///< between 0 and 1; with 1 the derivative is the true one [-]
+  Constant without = Constant::traction;  ///< constant quantity of the derivative without softening
+};
+
+/// The derivative of the loads of a bond without softening.
+BondHessian derivative_at(Constant constant, double penalty, double damage, const Vector3d& gap,
+                          const Vector3d& normal);
 
 /// Energy dissipated per area [N/mm].
 struct Dissipated {

@@ -36,6 +36,7 @@ void BondIterations::begin(const Tie& tie, const PerSide<SurfaceFields>& fields)
   IndexedVector<Phase> phases = phases_of(tie, loads);
   if (!phases_.empty()) {
     const Matrix3Xd last = std::exchange(move_, loads.gap - gaps_);
+    if (last.size() > 0 && softening_ <= 0 && move_.cwiseProduct(last).sum() < 0) turned_back_ = true;
     const bool is_quiet = std::equal(phases.begin(), phases.end(), phases_.begin());
     quiet_ = is_quiet ? quiet_ + 1 : 0;
     // The move before the first quiet one was of other phases.

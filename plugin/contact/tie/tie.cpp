@@ -49,17 +49,19 @@ BondLoad bond(const Tie& tie, Index n, const Vector3d& gap, const FacingPosition
 }
 
 /// The derivative of a bond's loads with respect to its gap vector and its normal.
-BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, double softening) {
+BondHessian bond_tangent(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads,
+                         const Softening& softening) {
   const Vector3d gap = loads.gap.col(n);
   const double damage = loads.damage[n];
   const bool grows = damage > tie.state().damage.damage[n] && damage < 1;
   const BondLoad load = bond(tie, n, gap, x);
-  if (!grows || softening == 1) return load.derivative;
-  const BondHessian yielding = yielding_derivative(tie.traction_penalty(n), damage, gap, normal_of(tie.nodes()[n], x));
-  const BondHessian softer = load.derivative - yielding;
+  if (!grows || softening.part == 1) return load.derivative;
+  const BondHessian stiff = derivative_at(softening.without, tie.traction_penalty(n), damage, gap,
+                                          normal_of(tie.nodes()[n], x));
+  const BondHessian softer = load.derivative - stiff;
   // A viscosity may stiffen a bond.
   const bool softens = gap.dot(softer.topLeftCorner<3, 3>() * gap) < 0;
-  return softens ? yielding + softening * softer : load.derivative;
+  return softens ? stiff + softening.part * softer : load.derivative;
 }
 
 VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads) {
@@ -80,7 +82,8 @@ VectorXd traction_residual(const Tie& tie, Index n, const FacingPositions& x, co
 }
 
 /// The second derivative of a node's energy per area with respect to the nodal positions.
-MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads, double softening) {
+MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieLoads& loads,
+                   const Softening& softening) {
   const TiedNode& tied = tie.nodes()[n];
   const Matrix3Xd variation = gap_variation(tied, x);
   MatrixXd stiffness;
@@ -217,7 +220,8 @@ VectorXd Tie::flux_residual(Index n, int field, const TieLoads& loads) const {
   return residual;
 }
 
-MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, double softening) const {
+MatrixXd Tie::traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads,
+                               const Softening& softening) const {
   const LocalLayout layout = patch(n).layout();
   const Index own = 3 * layout.nodes();
   const double area = nodes_[n].traction.area;
@@ -265,7 +269,8 @@ void Tie::residual(const PerSide<SurfaceFields>& fields, double dt, const AddRes
       add);
 }
 
-void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, double softening, const AddTangent& add) const {
+void Tie::tangent(const PerSide<SurfaceFields>& fields, double dt, const Softening& softening,
+                  const AddTangent& add) const {
   const TieLoads now = loads(fields);
   const FacingPositions x = positions_of(fields);
   for_each_part<MatrixXd>(

@@ -83,9 +83,9 @@ class Tie {
   /// multipliers.
   void residual(const PerSide<SurfaceFields>& fields, double dt, const AddResidual& add) const;
   /// Calls `add` with the tangent dR/du of each node. `softening`: the part of the softening of growing damage that the
-  /// tangent includes. With 1, it is the true derivative; with 0, bonds with growing damage yield
-  /// (yielding_derivative()).
-  void tangent(const PerSide<SurfaceFields>& fields, double dt, double softening, const AddTangent& add) const;
+  /// tangent includes.
+  void tangent(const PerSide<SurfaceFields>& fields, double dt, const Softening& softening,
+               const AddTangent& add) const;
 
   /// The errors of a solution in the conditions of the tie, relative to the loads (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
@@ -109,7 +109,7 @@ class Tie {
  private:
   double flux_penalty(Index n, int field) const;
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
-  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, double softening) const;
+  MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, const Softening& softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
   /// Calls use(patch, make(node, field)) for the traction (field -1) and the fluxes of all nodes in order. `make` runs
   /// on several threads.

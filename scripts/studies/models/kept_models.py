@@ -12,11 +12,13 @@ from harness.models.interface import InterfaceType
 from harness.models.layers import Layers
 from harness.models.parts import Control, Param
 from studies.models.ball_in_socket import BallInSocket
+from studies.models.delamination import Delamination
 from studies.models.graft import Graft
 from studies.models.joint import Joint, Source
 from studies.models.membrane import Membrane
 from studies.models.plate_on_layer import PlateOnLayer
 from studies.models.platens import Platens
+from studies.models.plug import Plug
 from studies.models.sliding_joint import SlidingJoint
 
 INDENTATION = Indentation(module="multiphasic", clamp=False, plot=True)
@@ -24,6 +26,8 @@ JOINT = Joint(plot=True)
 JOINT_RELEASE = Joint(source=Source.UPPER, name="joint-release", plot=True)
 GRAFT = Graft(plot=True)
 PLATENS = Platens(plot=True)
+PLUG = Plug(plot=True)
+DELAMINATION = Delamination(plot=True)
 """Models from practice."""
 
 
@@ -62,6 +66,8 @@ def models() -> list[Model]:
         JOINT_RELEASE.model(),
         GRAFT.model(),
         PLATENS.model(),
+        PLUG.model(),
+        DELAMINATION.model(),
     ]
 
 

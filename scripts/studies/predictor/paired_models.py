@@ -82,10 +82,12 @@ def _predicted(contact: Contact) -> Contact:
 def known_models(meshes: Sequence[Fineness]) -> Iterator[tuple[str, Model]]:
     """Name and model: those of the repository, then each hard case on these meshes.
 
-    Models with rigid bodies are left out: the predictor is not available there.
+    Models without sliding contact have no predictor. Models with rigid bodies are left out: the predictor is not
+    available there.
     """
     for model in collection.models():
-        if not any(isinstance(material, Rigid) for material in model.materials.values()):
+        slides = any(contact.kind == InterfaceType.MIXTURE.value for contact in model.contacts)
+        if slides and not any(isinstance(material, Rigid) for material in model.materials.values()):
             yield model.name, model
     for name, case in CASES.items():
         for mesh in meshes:

@@ -183,6 +183,13 @@ def peeled(strips: Strips, angle: float) -> Document:
     return replace(document(strips, parts, [fixed("held", "x", "z"), *ends]), curves=curves)
 
 
+def drawn_along(strips: Strips) -> Document:
+    """A strip whose end is drawn along another one, which is held."""
+    parts = two_strips(strips)
+    parts.node_sets["held"] = sorted({n for ids in parts.parts[0].elements for n in ids})
+    return document(strips, parts, [fixed("held", "x", "z"), moved("up-left", "x", -strips.opening)])
+
+
 def with_energy(text: str) -> str:
     """A model that logs the strain energy density of its elements in sed.txt."""
     return text.replace("</logfile>", '<element_data data="sed" file="sed.txt" delim=" "/></logfile>')

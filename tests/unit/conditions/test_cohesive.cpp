@@ -148,6 +148,29 @@ BOOST_AUTO_TEST_CASE(the_derivative_is_symmetric_where_damage_stays) {
   }
 }
 
+// The law has the same strength and energy in both modes, and therefore a potential: stored and dissipated energy.
+BOOST_AUTO_TEST_CASE(energy_is_below_its_expansion_at_constant_damage_as_long_as_the_bond_does_not_close) {
+  const Cohesive even{{{1, 1}, 2}, {0.1, 0.1}};
+  const auto damage_at = [&](const Vector3d& gap) { return load_at(packed(gap, normal), 0, even).damage; };
+  const auto energy = [&](const Vector3d& gap) {
+    const double damage = damage_at(gap);
+    const double lost = damage > 0 ? dissipated(even, penalty, 0, damage, 0, gap, normal).by_damage : 0.0;
+    return 0.5 * penalty * (1 - damage) * gap.squaredNorm() + lost;
+  };
+  std::mt19937 random(5);
+  for (const double size : {0.03, 0.1, 0.18}) {
+    const Vector3d gap = opening(size, 0.9);
+    const Vector3d traction = load_at(packed(gap, normal), 0, even).value.head<3>();
+    const Eigen::Matrix3d stiffness = derivative_at(Constant::damage, penalty, damage_at(gap), gap, normal)
+                                          .topLeftCorner<3, 3>();
+    for (int n = 0; n < 200; ++n) {
+      Vector3d move = random_vector(0.3, random);
+      move += std::max(0.0, -(gap + move).dot(normal)) * normal;
+      BOOST_TEST(energy(gap + move) <= energy(gap) + traction.dot(move) + 0.5 * move.dot(stiffness * move) + rounding);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(softer_penalties_than_the_least_one_have_no_softening) {
   const double least = least_penalty(law);
   BOOST_TEST(std::abs(least - 0.5 * std::max(1 / 0.1, 1.5 * 1.5 / 0.3)) < rounding);

@@ -19,6 +19,14 @@ constexpr double softening = 0.01 / (failure - onset);
 constexpr double tolerance = 1e-10;  // of tractions
 constexpr int most_iterations = 60;
 
+/// The stiffness that iterations use for a bond with this opening and traction.
+double stiffness(double opening, double traction, const Softening& used) {
+  if (opening <= onset) return 2;
+  if (opening >= failure) return 0;
+  const double start = used.without == Constant::damage ? traction / opening : 0;
+  return start - used.part * (start + softening);
+}
+
 /// Bonds that springs draw apart, all by the same opening.
 struct Drawn {
   TiedScene tied{FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {1, 1}, law};
@@ -36,12 +44,11 @@ struct Drawn {
     BondIterations iterations;
     double opening = 0;
     for (int n = 0; n < most_iterations; ++n) {
-      const double missing = spring * (drawn - opening) - traction(opening);
+      const double borne = traction(opening);
+      const double missing = spring * (drawn - opening) - borne;
       if (std::abs(missing) < tolerance) return opening;
       iterations.begin(*tied.tie, tied.scene.fields);
-      const bool grows = opening > onset && opening < failure;
-      const double bond = opening <= onset ? 2 : grows ? -iterations.softening() * softening : 0;
-      opening += missing / (spring + bond);
+      opening += missing / (spring + stiffness(opening, borne, iterations.softening()));
     }
     return std::nan("");
   }
@@ -99,15 +106,13 @@ struct Turning {
     BondIterations iterations;
     Eigen::Vector2d openings = Eigen::Vector2d::Zero();
     for (int n = 0; n < most_iterations; ++n) {
-      const Eigen::Vector2d missing = springs * (drawn - openings) - tractions(openings);
+      const Eigen::Vector2d borne = tractions(openings);
+      const Eigen::Vector2d missing = springs * (drawn - openings) - borne;
       if (missing.cwiseAbs().maxCoeff() < tolerance) break;
       iterations.begin(*tied.tie, tied.scene.fields);
-      Eigen::Matrix2d stiffness = springs;
-      for (const Index i : {0, 1}) {
-        const bool grows = openings[i] > onset && openings[i] < failure;
-        stiffness(i, i) += openings[i] <= onset ? 2 : grows ? -iterations.softening() * softening : 0;
-      }
-      openings += stiffness.inverse() * missing;
+      Eigen::Matrix2d both = springs;
+      for (const Index i : {0, 1}) both(i, i) += stiffness(openings[i], borne[i], iterations.softening());
+      openings += both.inverse() * missing;
     }
     return openings;
   }

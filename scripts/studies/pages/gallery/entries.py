@@ -15,7 +15,7 @@ from harness.post import solute_balance
 from harness.post.section_figures import Section
 from harness.run.logdata import History
 from harness.run.runner import RunResult
-from studies.models import graft, joint, kept_models, platens
+from studies.models import delamination, graft, joint, kept_models, platens, plug
 from studies.models.indentation_variants import LEVELS
 
 Array = NDArray[np.float64]
@@ -78,7 +78,17 @@ UPRIGHT = Section(across=0, up=2)
 
 def entries() -> tuple[Entry, ...]:
     """All models of the gallery: first the article's problems, then those from practice."""
-    return (_diffusion(), _convection(), _indentation(), _joint(), _release(), _graft(), _platens())
+    return (
+        _diffusion(),
+        _convection(),
+        _indentation(),
+        _joint(),
+        _release(),
+        _graft(),
+        _platens(),
+        _plug(),
+        _delamination(),
+    )
 
 
 def _diffusion() -> Entry:
@@ -162,6 +172,31 @@ def _platens() -> Entry:
         UPRIGHT,
         (100.0, 500.0, 3000.0),
         ("top", "Rz"),
+    )
+
+
+def _plug() -> Entry:
+    return Entry(
+        "An osteochondral plug on coarser bone",
+        "A tie joins meshes that do not match, and a solute crosses it. Change meshes and materials.",
+        kept_models.PLUG.model(),
+        plug.Plug(around=(2, 1), up=(4, 2), control=Control(6, 1000.0)).model(),
+        UPRIGHT,
+        (500.0, 2000.0, 6000.0),
+        ("top", "Rz"),
+    )
+
+
+def _delamination() -> Entry:
+    short = replace(delamination.CONTROL, steps=30)
+    return Entry(
+        "Cartilage that delaminates under shear",
+        "A cohesive tie breaks, and fluid enters the crack. Change strength, fracture energy and motion.",
+        kept_models.DELAMINATION.model(),
+        delamination.Delamination(along=(32, 16), up=(2, 1), control=short).model(),
+        UPRIGHT,
+        (20.0, 40.0, 60.0),
+        ("layer-left", "Rx"),
     )
 
 

@@ -112,7 +112,7 @@ def _table(entries: list[Entry], results: Results) -> str:
         r = results.records[entry.model.name]
         counts = (r.nodes, r.elements, r.steps, r.iterations, r.retries, f"{r.cpu:g}")
         rows.append((f"[{entry.title}](#{_anchor(entry.title)})", *counts))
-    return f"{tables.markdown(heads, rows)}\n\nThe runs used {results.stamp}, with default penalties."
+    return f"{tables.markdown(heads, rows)}\n\nThe runs used {results.stamp}. Only the last model sets a penalty."
 
 
 def _anchor(title: str) -> str:
@@ -122,7 +122,7 @@ def _anchor(title: str) -> str:
 
 def _section(entry: Entry) -> str:
     name = entry.model.name
-    pictures = {f"{name}-section.png": "Effective concentration over the deformed bodies"}
+    pictures = {f"{name}-section.png": "Concentration in a section"}
     if name == cycle.MODEL:
         pictures[cycle.PICTURE] = cycle.TITLE
     pictures[f"{name}-curves.png"] = _curves(entry)
@@ -152,8 +152,7 @@ def _pictured(model: Model, picture: str, alt: str) -> str:
 
 
 def _curves(entry: Entry) -> str:
-    force = ", force" if entry.driven else ""
-    return f"Over time: solute in each body, concentration on the two sides of the contact{force}"
+    return "Solute, concentrations and force over time" if entry.driven else "Solute and concentrations over time"
 
 
 def _shows(model: Model) -> str:
