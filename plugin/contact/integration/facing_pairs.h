@@ -54,8 +54,6 @@ class FacingPairs {
   const Effects& effects() const { return effects_; }
   const IndexedVector<FacetPair>& pairs() const { return found_.pairs(); }
   PointsOfPair points(const FacetPair& pair) const { return found_.points(pair); }
-  /// The reach of the last search.
-  const Reach& reach() const { return reach_; }
   /// Half the diagonal of the box around the primary surface at the last search [mm].
   double surface_size() const { return surface_size_; }
 

@@ -71,9 +71,9 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings) {
   const double least_share = pass.integral->active_set().options().contact_share;
-  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(
-      mesh[other(pass.side)], mesh[pass.side], seen_from(other(pass.side), position),
-      pass.integral->space().facing().reach(), settings.search.tolerance);
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[other(pass.side)], mesh[pass.side],
+                                                                      seen_from(other(pass.side), position), pass.reach,
+                                                                      settings.search.tolerance);
   const VectorXd share = VectorXd::NullaryExpr(in_contact.count(),
                                                [&](Index node) { return in_contact[node] ? 1.0 : 0.0; });
   IndexedVector<FacingNode> nodes(hits.size());

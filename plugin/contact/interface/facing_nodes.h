@@ -15,6 +15,7 @@ struct SidedPass {
   std::optional<NodeFlags> faced;
   IndexedVector<int> faced_changes;  ///< number of changes in `faced` since the start of iterations, per node
   bool has_reconsidered = false;     ///< true if reconsiders_facing() has been true since the start of iterations
+  Reach reach = 0;                   ///< search distances of the last search
 };
 
 /// The point that a node of the secondary surface of a pass faces.

@@ -30,6 +30,21 @@ double largest_motion(const PerSide<Matrix3Xd>& from, const PerSide<Matrix3Xd>& 
   return of_side(Side::primary) + of_side(Side::secondary);
 }
 
+/// The search distances in a step. Overlaps may exceed a given search radius by the motion of the step, because an
+/// iteration may move a body too far. The radius of self-contact is fixed: the next fold may be within the motion.
+Reach reach_in_step(const Settings& settings, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& accepted,
+                    const PerSide<Matrix3Xd>& position) {
+  Reach reach = reach_of(settings, seen_from(Side::primary, position));
+  const bool extends = settings.search.radius > 0 && !mesh[Side::primary].may_meet_itself();
+  if (extends) reach.moved = largest_motion(accepted, position);
+  return reach;
+}
+
+void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reach& reach) {
+  pass.reach = reach;
+  pass.integral->project(seen_from(pass.side, position), reach);
+}
+
 /// The nodes of the other surface that face contact.
 NodeFlags facing_contact(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
                          const NodeFlags& in_contact, const Settings& settings) {
@@ -99,7 +114,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (!effects_.traction) pass.faced.reset();
     if (search_all) {
-      find_points(pass);
+      find_points(pass, position_, reach_in_step(settings_, mesh_, accepted_, position_));
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
@@ -130,14 +145,6 @@ void ContactInterface::exchange_traction(bool traction) {
     pass.integral->forget();
   }
   for (Matrix3Xd& position : position_) position.resize(3, 0);
-}
-
-void ContactInterface::find_points(SidedPass& pass) const {
-  const FacingPositions x = seen_from(pass.side, position_);
-  Reach reach = reach_of(settings_, x);
-  const bool extends = settings_.search.radius > 0 && !mesh_[Side::primary].may_meet_itself();
-  if (extends) reach.moved = largest_motion(accepted_, position_);
-  pass.integral->project(x, reach);
 }
 
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
@@ -271,7 +278,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
-  find_points(passes_.back());
+  find_points(passes_.back(), position_, reach_in_step(settings_, mesh_, accepted_, position_));
   if (joins) passes_.back().integral->geometry().start_inactive(seen_from(Side::secondary, fields));
   return found;
 }

@@ -135,10 +135,6 @@ class ContactInterface {
  private:
   /// Restricts the second pass to the penetration-check nodes. It makes this pass if there is none.
   void restrict_second_pass();
-  /// Searches for the points of a pass in the present configuration. Within a step, overlaps may exceed a given search
-  /// radius by the motion of the step, because an iteration may move a body too far. The radius of self-contact is
-  /// fixed: the next fold may be within the motion.
-  void find_points(SidedPass& pass) const;
 
   PerSide<SurfaceMesh> mesh_;
   Effects effects_;
