@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from harness.models.interface import InterfaceType
 from studies.knees import page
-from studies.knees.knee_run import KneeRun
+from studies.knees.knee_run import KneeRun, Way
 
 OURS = KneeRun(
     bodies="elastic",
@@ -63,3 +63,10 @@ def test_tables_have_a_row_for_each_run() -> None:
     assert "no, at the limit of time" in rows[1]
     assert "| `sliding-elastic` × 1 | no |" in rows[2]
     assert page.compartments(runs).splitlines()[2].endswith("| 400, 300 | 700, 600 | 5.00, 3.00 | 0.0010 | - |")
+
+
+def test_answers_have_their_differences_from_the_defaults() -> None:
+    other = replace(OURS, iterations=70, force_medial=404.0, peak_lateral=2.97)
+    defaults, augmented = page.answers({Way.DEFAULTS: OURS, Way.AUGLAG: other}).splitlines()[2:]
+    assert defaults == "| defaults | 60 | 0 | 400.0, 300.0 | 0.00, 0.00 | 5.00, 3.00 | 0.00, 0.00 |"
+    assert augmented == "| `AUGLAG` | 70 | 0 | 404.0, 300.0 | 1.00, 0.00 | 5.00, 2.97 | 0.00, -1.00 |"

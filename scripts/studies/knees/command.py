@@ -40,6 +40,9 @@ def knee(
     except ImportError as error:
         raise HarnessError(f"`knee` needs pyfebio and PyVista, and Python 3.11 or newer ({error})") from error
     runner = Runner(folder / "runs", processor_limit=limit)
+    if kind is Kind.WAYS:
+        console.print(page.answers(compared.answers(runner)), markup=False)
+        return
     done: list[tuple[KneeRun, RunResult]] = []
     for model, factor in compared.knees(kind, only):
         console.print(model.name)

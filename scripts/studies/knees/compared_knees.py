@@ -9,7 +9,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models.interface import InterfaceType
+from harness.models.document import Model
+from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.knee.bearing import Load
 from harness.models.knee.tissues import TISSUES, Bodies
 from harness.models.knee.whole_knee import Knee
@@ -19,7 +20,7 @@ from harness.report.history import Contact
 from harness.report.plot_file import PlotFile, State
 from harness.run.runner import Runner, RunResult
 from studies.knees import solute_of_knee
-from studies.knees.knee_run import Kind, KneeRun
+from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.stamps import at_limit
 
 Array = NDArray[np.float64]
@@ -37,6 +38,13 @@ SCENES = {
         (Bodies.BIPHASIC, Load.GAIT, Size.COARSE),
         (Bodies.SOLUTE, Load.STANCE, Size.COARSE),
     ),
+}
+WAYS = {
+    Way.DEFAULTS: ContactSettings(),
+    Way.SWAPPED: ContactSettings(),
+    Way.TWO_PASSES: ContactSettings(two_pass=True),
+    Way.AUGLAG: ContactSettings(laugon="AUGLAG"),
+    Way.LAGMULT: ContactSettings(laugon="LAGMULT"),
 }
 
 
@@ -56,9 +64,26 @@ def _knee(bodies: Bodies, load: Load, size: Size, factor: float) -> Knee:
     return Knee(tissues.theirs, size, load, settings=tissues.automatic(factor), name=name, bodies=bodies)
 
 
+def answers(runner: Runner) -> dict[Way, KneeRun]:
+    """Runs of the elastic knee in stance by the plugin in all ways, on the mesh of which a run takes seconds."""
+    knees = {way: Knee(size=Size.COARSE, settings=WAYS[way], name=f"knee-{way.name.lower()}") for way in Way}
+    models = {way: _swapped(knee.model()) if way is Way.SWAPPED else knee.model() for way, knee in knees.items()}
+    return {way: _measured(knee, 0.0, runner(models[way], check=False)) for way, knee in knees.items()}
+
+
+def _swapped(model: Model) -> Model:
+    """The model with the secondary surface of each pair as primary."""
+    pairs = {name: (secondary, primary) for name, (primary, secondary) in model.mesh.pairs.items()}
+    return replace(model, mesh=replace(model.mesh, pairs=pairs))
+
+
 def run(knee: Knee, factor: float, runner: Runner) -> tuple[KneeRun, RunResult]:
     """Run a knee and measure it."""
     result = runner(replace(knee.model(), node_log=knee.bodies is Bodies.SOLUTE), check=False)
+    return _measured(knee, factor, result), result
+
+
+def _measured(knee: Knee, factor: float, result: RunResult) -> KneeRun:
     report = result.report
     measured = KneeRun(
         bodies=knee.bodies.value,
@@ -78,7 +103,7 @@ def run(knee: Knee, factor: float, runner: Runner) -> tuple[KneeRun, RunResult]:
     measured = _with_compartments(measured, result)
     if knee.bodies is Bodies.SOLUTE and report.steps:
         measured = replace(measured, appeared=solute_of_knee.appeared(result))
-    return measured, result
+    return measured
 
 
 def _with_compartments(measured: KneeRun, result: RunResult) -> KneeRun:

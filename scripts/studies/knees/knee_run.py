@@ -12,6 +12,18 @@ class Kind(str, Enum):
 
     ELASTIC = "elastic"
     POROUS = "porous"
+    WAYS = "ways"
+    """The coarse elastic knee in stance, with the plugin in all ways."""
+
+
+class Way(str, Enum):
+    """Ways to pose the same contacts, by their names in tables."""
+
+    DEFAULTS = "defaults"
+    SWAPPED = "the other side primary"
+    TWO_PASSES = "two passes"
+    AUGLAG = "`AUGLAG`"
+    LAGMULT = "`LAGMULT`"
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 from harness.models.interface import InterfaceType
 from harness.models.knee.whole_mesh import Size
 from studies import files, tables
-from studies.knees.knee_run import Kind, KneeRun
+from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.pages.evidence import DATA, EvidencePage
 
 LIMIT = 900.0
@@ -126,6 +126,28 @@ def _passing(run: KneeRun) -> list[str]:
     force, area = (run.force_medial, run.force_lateral), (run.area_medial, run.area_lateral)
     numbers = ((force, ".0f"), (area, ".0f"), ((run.peak_medial, run.peak_lateral), ".2f"))
     return [", ".join(f"{value:{form}}" for value in values) for values, form in numbers]
+
+
+def answers(runs: Mapping[Way, KneeRun]) -> str:
+    """Runs in all ways, with their differences from the defaults."""
+    heads = ("force [N]", "difference [%]", "largest pressure [MPa]", "difference [%]")
+    rows = [(way.value, *_answer(run, runs[Way.DEFAULTS])) for way, run in runs.items()]
+    return tables.markdown(("contacts", "iterations", "retries", *heads), rows)
+
+
+def _answer(run: KneeRun, defaults: KneeRun) -> tuple[str, ...]:
+    """Force and largest pressure, medial and lateral, and by how much they differ from those of the defaults."""
+    force, pressure = (
+        ((run.force_medial, defaults.force_medial), (run.force_lateral, defaults.force_lateral)),
+        ((run.peak_medial, defaults.peak_medial), (run.peak_lateral, defaults.peak_lateral)),
+    )
+    return (str(run.iterations), str(run.retries), *_differing(force, ".1f"), *_differing(pressure, ".2f"))
+
+
+def _differing(pairs: Sequence[tuple[float, float]], form: str) -> tuple[str, str]:
+    """Values, and their differences from others in percent."""
+    differences = (100.0 * (value / other - 1.0) for value, other in pairs)
+    return ", ".join(f"{value:{form}}" for value, _ in pairs), ", ".join(f"{each:.2f}" for each in differences)
 
 
 _HERE = Path(__file__).parent
