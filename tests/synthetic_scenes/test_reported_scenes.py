@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -15,7 +16,11 @@ from studies.pages.scene_results import Took
 from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison, kept_runs
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
+from studies.synthetic_scenes.reported.outsides import wedge_between
+from studies.synthetic_scenes.reported.pressed import Dome
 from studies.synthetic_scenes.reported.shapes import MIDDLES, arc, box, mapped, shell
+from studies.synthetic_scenes.reported.sketch import Reported
+from studies.synthetic_scenes.reported.words import TWO_PASS, auglag, friction, radius
 
 QUICK = ("punch-flat-tilts", "rod-in-tube-outsides", "ring-between-plates")
 VELOCITIES = ("vx", "vy", "vz")
@@ -100,6 +105,25 @@ def test_clamped_edges_under_rigid_plates_need_no_shorter_steps(name, tmp_path):
     row = comparison.compare(name, SCENES[name], tmp_path, LIMIT, ("defaults",))
     assert row.defaults.ended, row.defaults.why
     assert row.defaults.retries == row.febio.retries == 0
+
+
+@pytest.mark.usefixtures("runner")
+def test_a_wedge_that_contact_alone_holds_needs_no_shorter_steps(tmp_path):
+    """Couplings that the matrix does not contain hold the wedge: an increment without them moves it far away."""
+    scene = Reported("a wedge between two bodies", partial(wedge_between, auglag(1.3, 0.1, TWO_PASS)))
+    row = comparison.compare("wedge", scene, tmp_path, LIMIT, ("defaults",))
+    assert row.defaults.ended, row.defaults.why
+    assert row.defaults.retries == row.febio.retries == 0
+
+
+@pytest.mark.usefixtures("runner")
+def test_an_iteration_that_moves_a_body_beyond_the_search_radius_does_not_lose_the_contact(tmp_path):
+    """A soft penalty lets the force push the body by several times the radius, in the first iteration alone."""
+    params = auglag(0.05, 0.1, radius(0.02) + TWO_PASS + friction(0.2))
+    scene = Reported("a dome under a pressure, small search radius", Dome(params=params, load=0.05, gap=-0.01))
+    row = comparison.compare("dome", scene, tmp_path, LIMIT, ("converted",))
+    assert row.converted.ended, row.converted.why
+    assert row.converted.retries == 0
 
 
 @pytest.mark.usefixtures("runner")
