@@ -161,7 +161,7 @@ def test_no_engine_is_explained(monkeypatch, tmp_path):
         monkeypatch.setenv(variable, str(tmp_path))
     with pytest.raises(EngineNotFoundError, match="Set FEBIO_ROOT") as raised:
         engine.find_engine()
-    assert str(tmp_path / "bin" / "febio4") in str(raised.value)
+    assert f"looked in {tmp_path}," in str(raised.value)
 
 
 def test_a_failed_run_quotes_the_engine(tmp_path):
