@@ -55,8 +55,8 @@ struct Direction {
 };
 
 /// The solution of (1 + K^-1 D) x = K^-1 b of least residual in the Krylov space of K^-1 b, with orthogonal images
-/// (Young and Jea 1980, Linear Algebra Appl 34:159-194, ORTHODIR). It converges for any regular K + D. `first`: K^-1 b. The
-/// residual is at most `tolerance` times x, unless the space has most_dimensions.
+/// (Young and Jea 1980, Linear Algebra Appl 34:159-194, ORTHODIR). It converges for any regular K + D. `first`: K^-1 b.
+/// The residual is at most `tolerance` times x, unless the space has most_dimensions.
 std::vector<double> least_residual(const Solve& solve, const MatrixParts& parts, const std::vector<double>& first,
                                    double tolerance) {
   const auto image_of = [&](const VectorXd& x) -> VectorXd {
