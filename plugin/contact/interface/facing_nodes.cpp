@@ -67,6 +67,11 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
   return hits;
 }
 
+IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
+                                                       const FacingPositions& x, const Settings& settings) {
+  return hits_of_nodes(own, other, x, reach_of(settings, x), settings.search.tolerance);
+}
+
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings) {

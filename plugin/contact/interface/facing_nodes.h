@@ -36,6 +36,9 @@ Reach reach_of(const Settings& settings, const FacingPositions& x);
 /// and not hidden; empty for nodes that face nothing. `tolerance`: see SearchRule.
 IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
                                                        const FacingPositions& x, const Reach& reach, double tolerance);
+/// The points within reach_of(), with the tolerance of the settings.
+IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, const SurfaceMesh& other,
+                                                       const FacingPositions& x, const Settings& settings);
 
 /// The points that nodes of the other surface face. `in_contact`: nodes in contact of the surface over which the pass
 /// integrates.

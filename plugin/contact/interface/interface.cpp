@@ -30,13 +30,19 @@ double largest_motion(const PerSide<Matrix3Xd>& from, const PerSide<Matrix3Xd>& 
   return of_side(Side::primary) + of_side(Side::secondary);
 }
 
+/// The positions at the start of a step if they extend a search radius; else empty.
+PerSide<Matrix3Xd> start_of_step(const Settings& settings, const PerSide<SurfaceMesh>& mesh,
+                                 const PerSide<Matrix3Xd>& position) {
+  const bool extends = settings.search.radius > 0 && !mesh[Side::primary].may_meet_itself();
+  return extends ? position : PerSide<Matrix3Xd>();
+}
+
 /// The search distances in a step. Overlaps may exceed a given search radius by the motion of the step, because an
 /// iteration may move a body too far. The radius of self-contact is fixed: the next fold may be within the motion.
-Reach reach_in_step(const Settings& settings, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& accepted,
-                    const PerSide<Matrix3Xd>& position) {
+/// `accepted`: see start_of_step().
+Reach reach_in_step(const Settings& settings, const PerSide<Matrix3Xd>& accepted, const PerSide<Matrix3Xd>& position) {
   Reach reach = reach_of(settings, seen_from(Side::primary, position));
-  const bool extends = settings.search.radius > 0 && !mesh[Side::primary].may_meet_itself();
-  if (extends) reach.moved = largest_motion(accepted, position);
+  if (accepted[Side::primary].cols() > 0) reach.moved = largest_motion(accepted, position);
   return reach;
 }
 
@@ -109,12 +115,12 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
   searched_ = search_all;
-  if (accepted_[Side::primary].cols() == 0) accepted_ = position_;
+  if (accepted_[Side::primary].cols() == 0) accepted_ = start_of_step(settings_, mesh_, position_);
   for (SidedPass& pass : passes_) {
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (!effects_.traction) pass.faced.reset();
     if (search_all) {
-      find_points(pass, position_, reach_in_step(settings_, mesh_, accepted_, position_));
+      find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
@@ -127,11 +133,12 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
     pass.integral->accept_step(seen_from(pass.side, fields));
     pass.integral->laws().close_overlapped = false;
   }
-  accepted_ = {fields[Side::primary].position, fields[Side::secondary].position};
+  accepted_ = start_of_step(settings_, mesh_, {{fields[Side::primary].position, fields[Side::secondary].position}});
   if (!are_linear(pass(0).laws())) end_iterations();  // slips have another reference
 }
 
 void ContactInterface::forget_steps() {
+  accepted_ = {};
   for (const SidedPass& pass : passes_) {
     pass.integral->laws().forget_steps();
     pass.integral->slips().forget();
@@ -278,7 +285,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
-  find_points(passes_.back(), position_, reach_in_step(settings_, mesh_, accepted_, position_));
+  find_points(passes_.back(), position_, reach_in_step(settings_, accepted_, position_));
   if (joins) passes_.back().integral->geometry().start_inactive(seen_from(Side::secondary, fields));
   return found;
 }
@@ -304,6 +311,7 @@ ContactInterface::State ContactInterface::state() const {
 
 void ContactInterface::restore(State state) {
   check(state, mesh_, effects_, settings_.two_pass);
+  accepted_ = {};
   pass(0).slips().restore(seen_from(Side::primary, state.slips_from));
   NodeFlags check_nodes(check_.nodes.count(), false);
   for (const int node : state.check_nodes) check_nodes[node] = true;

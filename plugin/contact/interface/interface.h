@@ -142,7 +142,7 @@ class ContactInterface {
   PenetrationCheck check_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
-  PerSide<Matrix3Xd> accepted_;  ///< positions in the last accepted state
+  PerSide<Matrix3Xd> accepted_;  ///< positions in the last accepted state; empty unless they extend a search radius
   bool searched_ = false;        ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };

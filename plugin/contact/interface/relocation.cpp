@@ -3,10 +3,9 @@
 namespace mixture_contact {
 
 Matrix3Xd without_overlap(const ContactInterface& contact, const PerSide<Matrix3Xd>& position) {
-  const FacingPositions x = seen_from(Side::primary, position);
   const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(
-      contact.mesh(Side::primary), contact.mesh(Side::secondary), x, reach_of(contact.settings(), x),
-      contact.settings().search.tolerance);
+      contact.mesh(Side::primary), contact.mesh(Side::secondary), seen_from(Side::primary, position),
+      contact.settings());
   Matrix3Xd moved = position[Side::primary];
   const Matrix3Xd normals = nodal_normals(contact.mesh(Side::primary), moved);
   for (Index node = 0; node < moved.cols(); ++node) {

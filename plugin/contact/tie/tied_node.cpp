@@ -151,8 +151,7 @@ IndexedVector<std::optional<SurfaceHit>> hits_at_any_distance(const PerSide<Surf
   const FacingPositions facing = seen_from(Side::primary, x);
   settings.search.radius = 2 * (half_diagonal(facing.primary) + half_diagonal(facing.secondary)) +
                            (facing.primary.rowwise().mean() - facing.secondary.rowwise().mean()).norm();
-  return hits_of_nodes(mesh[Side::primary], mesh[Side::secondary], facing, reach_of(settings, facing),
-                       settings.search.tolerance);
+  return hits_of_nodes(mesh[Side::primary], mesh[Side::secondary], facing, settings);
 }
 
 }  // namespace
@@ -216,9 +215,8 @@ Matrix3Xd without_gaps(const IndexedVector<TiedNode>& tied, const PerSide<Surfac
                        const PerSide<Matrix3Xd>& reference) {
   Matrix3Xd moved = reference[Side::primary];
   const Matrix3Xd normals = nodal_normals(mesh[Side::primary], moved);
-  const FacingPositions x = seen_from(Side::primary, reference);
-  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[Side::primary], mesh[Side::secondary], x,
-                                                                      reach_of(settings, x), settings.search.tolerance);
+  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[Side::primary], mesh[Side::secondary],
+                                                                      seen_from(Side::primary, reference), settings);
   for (const TiedNode& each : tied) {
     const std::optional<SurfaceHit>& hit = hits[each.node];
     if (hit) moved.col(each.node) += hit->gap * normals.col(each.node);

@@ -52,5 +52,9 @@ BOOST_AUTO_TEST_CASE(within_a_step_overlaps_may_exceed_the_search_radius_by_its_
     contact->accept_step(scene.fields);
     BOOST_TEST(overlap_after({0.5, 0, 0}, 0.0) == 0);  // both bodies together
     BOOST_TEST(overlap_after({0, 0, 0}, -0.3125) == 0);
+    contact->accept_step(scene.fields);
+    BOOST_TEST(std::abs(overlap_after({0, 0, 0}, 0.3125) - 0.25) <= rounding);
+    contact->forget_steps();
+    BOOST_TEST(overlap_after({0.5, 0, 0}, 0.0) == 0);
   }
 }
