@@ -16,7 +16,7 @@ namespace {
 /// The loads have a kink if the actual change of a load differs from the predicted one by more than this fraction.
 constexpr double largest_turn = 1.0 / 3.0;
 /// Rounding error of the difference between two load values of 1.
-constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double rounding_of_loads = 64 * std::numeric_limits<double>::epsilon();
 /// The least number of iterations of a linear step that starts at the end of the last step: one to solve it, and one in
 /// which the solver compares the increment with it.
 constexpr int least_iterations = 2;
@@ -130,7 +130,7 @@ bool Predictor::loads_turn() const {
     const double actual = loads[n] - load_values_[n];
     const MatrixXd predicted = loads_[n].predicted(solver_.time_increment());
     const double difference = (predicted.size() == 0 ? 0 : predicted.value()) - actual;
-    if (std::abs(difference) > largest_turn * std::abs(actual) + rounding * std::abs(loads[n])) return true;
+    if (std::abs(difference) > largest_turn * std::abs(actual) + rounding_of_loads * std::abs(loads[n])) return true;
   }
   return false;
 }

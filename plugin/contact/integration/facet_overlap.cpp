@@ -132,7 +132,8 @@ template <class Number>
 PointMotion projection_motion(const PlacedFacet& primary, const PlacedFacet& secondary, const Sample<Number>& sample,
                               const ViewTilt& tilt, const Vector2d& xi) {
   const View& view = sample.view;
-  const auto& [y, area] = sample.point;
+  const auto& y = sample.point.place;
+  const Number& area = sample.point.area;
   const ShapeFunctions shape = shape_functions(primary.type, xi);
   PointMotion motion;
   motion.curvature = primary.x * shape_hessian(primary.type, xi);
