@@ -94,5 +94,7 @@ void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects
   for (Multipliers& multipliers : state.multipliers) archive_multipliers(ar, multipliers);
   state.carriers.resize(indexing::entries(passes));
   for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
+  state.faced.resize(indexing::entries(passes));
+  for (NodeFlags& faced : state.faced) archive_flags(ar, faced);
   if (effects.may_rub()) archive_friction(ar, state);
 }

@@ -23,6 +23,11 @@ struct ActiveSetOptions {
   /// A node of the secondary surface is in contact if the contact status that is interpolated from the opposite primary
   /// nodes reaches this value: the middle between contact (1) and no contact (0), minus rounding.
   double contact_share = 0.5 - 1e-9;
+  /// In a step, a node of the secondary surface changes its status only if its share passes the middle by this margin.
+  /// The pressure of a node deforms its surface and moves the point that the node faces: without a margin, a node close
+  /// to the middle may have no status that agrees with its position. The size is a choice: a quarter is the weight of
+  /// one node in the middle of a quadrilateral.
+  double contact_share_margin = 0.25;
   /// Loads that differ by less than this fraction of the largest one count as equal: nodal averages have rounding
   /// errors of this size. A larger difference requires another evaluation of the residual.
   double same_load = 1e-9;

@@ -12,6 +12,7 @@ struct ContactState {
   std::vector<Multipliers> multipliers;  ///< multipliers per pass
   PerSide<Matrix3Xd> slips_from;         ///< positions from which slips are measured; empty without friction
   std::vector<LoadCarriers> carriers;    ///< load carriers per pass, on which those of the next step depend
+  std::vector<NodeFlags> faced;          ///< nodes of the other surface that face contact, per pass; empty if unknown
 };
 
 /// Throws std::invalid_argument unless a state has the nodes, fields and passes of a contact.

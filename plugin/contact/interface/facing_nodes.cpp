@@ -6,6 +6,7 @@
 #include "integration/self_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mixture_contact {
@@ -75,7 +76,6 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings) {
-  const double least_share = pass.integral->active_set().options().contact_share;
   const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[other(pass.side)], mesh[pass.side],
                                                                       seen_from(other(pass.side), position), pass.reach,
                                                                       settings.search.tolerance);
@@ -88,15 +88,27 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
     const Facet& facet = mesh[pass.side].facets[hit->facet];
     const FacetVector
         psi = pass.integral->space().shape(hit->facet, sub_facet_at(facet.type, hit->eta), hit->eta).value;
-    nodes[node] = {hit->facet, hit->gap, psi.dot(facet_values(facet, share)) >= least_share};
+    nodes[node] = {hit->facet, hit->gap, psi.dot(facet_values(facet, share))};
   });
   return nodes;
 }
 
-NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes) {
-  NodeFlags in_contact;
-  for (const FacingNode& node : nodes) in_contact.push_back(node.in_contact);
-  return in_contact;
+NodeFlags facing_contact(const SidedPass& pass, const IndexedVector<FacingNode>& nodes) {
+  const double least_share = pass.integral->active_set().options().contact_share;
+  NodeFlags facing;
+  for (const FacingNode& node : nodes) facing.push_back(node.share >= least_share);
+  return facing;
+}
+
+NodeFlags facing_contact_in_step(const SidedPass& pass, const IndexedVector<FacingNode>& nodes) {
+  const ActiveSetOptions& options = pass.integral->active_set().options();
+  NodeFlags facing = facing_contact(pass, nodes);
+  if (pass.faced_before.empty()) return facing;
+  for (Index node = 0; node < nodes.count(); ++node) {
+    const bool is_near = std::abs(nodes[node].share - options.contact_share) < options.contact_share_margin;
+    if (is_near) facing[node] = pass.faced_before[node];
+  }
+  return facing;
 }
 
 NodeFlags next_facing(const SidedPass& pass, NodeFlags facing) {

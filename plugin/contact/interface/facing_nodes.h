@@ -13,6 +13,8 @@ struct SidedPass {
   std::unique_ptr<ContactPass> integral;
   /// Nodes of the other surface that face contact, during iterations; empty outside of them.
   std::optional<NodeFlags> faced;
+  /// Nodes of the other surface that faced contact at the end of the last step; empty before the first one.
+  NodeFlags faced_before = {};
   IndexedVector<int> faced_changes;  ///< number of changes in `faced` since the start of iterations, per node
   bool has_reconsidered = false;     ///< true if reconsiders_facing() has been true since the start of iterations
   Reach reach = 0;                   ///< search distances of the last search
@@ -20,10 +22,9 @@ struct SidedPass {
 
 /// The point that a node of the secondary surface of a pass faces.
 struct FacingNode {
-  int facet = -1;  ///< facet of the primary surface; -1: none
-  double gap = 0;  ///< gap along the node's own normal [mm]
-  /// True if the point is in contact.
-  bool in_contact = false;
+  int facet = -1;    ///< facet of the primary surface; -1: none
+  double gap = 0;    ///< gap along the node's own normal [mm]
+  double share = 0;  ///< contact status at the point, from the nodes of the facet: between 0 (open) and 1 (in contact)
 };
 
 /// The search distances of the settings. By default, the distance backwards (for overlapping bodies) is half the size
@@ -46,8 +47,11 @@ IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<Surf
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings);
 
-/// FacingNode::in_contact of all nodes.
-NodeFlags in_contact_of(const IndexedVector<FacingNode>& nodes);
+/// The nodes that face contact: their share reaches ActiveSetOptions::contact_share.
+NodeFlags facing_contact(const SidedPass& pass, const IndexedVector<FacingNode>& nodes);
+/// The nodes that face contact in a step. A node that faced contact at the end of the last step, or did not, changes
+/// only by ActiveSetOptions::contact_share_margin.
+NodeFlags facing_contact_in_step(const SidedPass& pass, const IndexedVector<FacingNode>& nodes);
 
 /// The nodes that face contact in the next iteration. `facing`: nodes that face contact in the present state. Nodes
 /// that change too often keep their status, because they are at the edge of contact as in ActiveSet.

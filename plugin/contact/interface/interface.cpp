@@ -18,7 +18,7 @@ void keep_worst(FieldGap& worst, const FieldGap& gap) {
 }
 
 SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& effects, const Settings& settings) {
-  return {side, std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings), {}, {}};
+  return {side, std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings), {}, {}, {}};
 }
 
 /// The largest distance by which two surfaces may have moved relative to each other [length].
@@ -51,10 +51,10 @@ void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reac
   pass.integral->project(seen_from(pass.side, position), reach);
 }
 
-/// The nodes of the other surface that face contact.
-NodeFlags facing_contact(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
+/// The nodes of the other surface that face contact in the present step.
+NodeFlags facing_in_step(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
                          const NodeFlags& in_contact, const Settings& settings) {
-  return in_contact_of(facing_nodes(pass, mesh, position, in_contact, settings));
+  return facing_contact_in_step(pass, facing_nodes(pass, mesh, position, in_contact, settings));
 }
 
 bool has_reduced_penalty(const Settings& settings) {
@@ -129,7 +129,11 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  for (const SidedPass& pass : passes_) {
+  for (SidedPass& pass : passes_) {
+    if (pass.faced && effects_.traction) {
+      const NodeFlags& in_contact = pass.integral->flux_coupled();
+      pass.faced_before = facing_contact(pass, facing_nodes(pass, mesh_, position_, in_contact, settings_));
+    }
     pass.integral->accept_step(seen_from(pass.side, fields));
     pass.integral->laws().close_overlapped = false;
   }
@@ -139,9 +143,10 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
 
 void ContactInterface::forget_steps() {
   accepted_ = {};
-  for (const SidedPass& pass : passes_) {
+  for (SidedPass& pass : passes_) {
     pass.integral->laws().forget_steps();
     pass.integral->slips().forget();
+    pass.faced_before = {};
   }
 }
 
@@ -262,7 +267,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
     const TaskClock timed = measurements_.clock(Task::stiffness);
     for (SidedPass& pass : passes_) {
       if (pass.faced && !effects_.traction) continue;
-      hold_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
+      hold_facing(pass, facing_in_step(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
     }
   }
   PerSide<NodeFlags> nodes = nodes_in_contact();
@@ -304,6 +309,7 @@ ContactInterface::State ContactInterface::state() const {
   for (const SidedPass& pass : passes_) {
     state.multipliers.push_back(pass.integral->laws().multipliers);
     state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
+    state.faced.push_back(pass.faced_before);
   }
   state.slips_from = pass(0).space().slips().state();
   return state;
@@ -329,6 +335,7 @@ void ContactInterface::restore(State state) {
   forget_past(*this);
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     passes_[pass].integral->restore_carriers(std::move(state.carriers[pass]));
+    passes_[pass].faced_before = std::move(state.faced[pass]);
   }
 }
 
@@ -344,7 +351,7 @@ PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
   for (const SidedPass& pass : passes_) {
     const NodeFlags own = pass.integral->flux_coupled();
     add(pass.side, own);
-    add(other(pass.side), pass.faced ? *pass.faced : facing_contact(pass, mesh_, position_, own, settings_));
+    add(other(pass.side), pass.faced ? *pass.faced : facing_in_step(pass, mesh_, position_, own, settings_));
   }
   return in_contact;
 }
@@ -382,7 +389,7 @@ bool faces_as_held(const ContactInterface& contact) {
   if (!contact.effects_.traction) return true;
   return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
     if (!pass.faced) return true;
-    NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
+    NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                       contact.settings_);
     return next_facing(pass, std::move(facing)) == *pass.faced;
   });
@@ -395,7 +402,7 @@ bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& f
   for (SidedPass& pass : contact.passes_) {
     any = pass.integral->geometry().reconsiders_edge(seen_from(pass.side, fields)) || any;
     if (!pass.faced) continue;
-    const NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
+    const NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                             contact.settings_);
     any = reconsiders_facing(pass, facing) || any;
   }
