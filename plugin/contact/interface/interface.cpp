@@ -1,6 +1,7 @@
 #include "interface/interface.h"
 
 #include "base/parallel.h"
+#include "enforcement/moving_geometry.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -118,7 +119,6 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (accepted_[Side::primary].cols() == 0) accepted_ = start_of_step(settings_, mesh_, position_);
   for (SidedPass& pass : passes_) {
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
-    if (!effects_.traction) pass.faced.reset();
     if (search_all) {
       find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
     } else {
@@ -157,22 +157,20 @@ void ContactInterface::exchange_traction(bool traction) {
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
-  for (const SidedPass& pass : passes_) {
-    const bool pass_changed = pass.integral->geometry().begin_iteration(seen_from(pass.side, fields));
-    changed = changed || pass_changed;
-    timed.take(pass.integral->space().effect_times(), thread_count());
-  }
+  for_each_moving(
+      [&](Side side, MovingGeometry& moving) { changed = moving.begin_iteration(seen_from(side, fields)) || changed; });
+  for (const SidedPass& pass : passes_) timed.take(pass.integral->space().effect_times(), thread_count());
   measurements_.note(memory_of(passes_));
   return changed;
 }
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
-  for (const SidedPass& pass : passes_) pass.integral->geometry().linearise_at(seen_from(pass.side, fields));
+  for_each_moving([&](Side side, MovingGeometry& moving) { moving.linearise_at(seen_from(side, fields)); });
 }
 
 void ContactInterface::end_iterations() {
   for (SidedPass& pass : passes_) {
-    if (effects_.traction) pass.faced.reset();
+    pass.faced.reset();
     pass.integral->geometry().end_iterations();
     if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
@@ -180,9 +178,9 @@ void ContactInterface::end_iterations() {
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
-    return pass.integral->geometry().is_solution(seen_from(pass.side, fields));
-  });
+  bool agrees = true;
+  for_each_moving(
+      [&](Side side, const MovingGeometry& moving) { agrees = agrees && moving.is_solution(seen_from(side, fields)); });
   return agrees && faces_as_held(*this) &&
          (settings_.enforcement != Enforcement::lagrange_multipliers ||
           meets(gaps(fields), settings_.tolerances, effects_));
@@ -260,10 +258,8 @@ bool ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
   {
     const TaskClock timed = measurements_.clock(Task::stiffness);
-    for (SidedPass& pass : passes_) {
-      if (pass.faced && !effects_.traction) continue;
+    for (SidedPass& pass : passes_)
       hold_facing(pass, facing_contact(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
-    }
   }
   PerSide<NodeFlags> nodes = nodes_in_contact();
   for (const Side side : both_sides) nodes[side] = with_joined(std::move(nodes[side]), mesh_[side]);
@@ -286,7 +282,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
   find_points(passes_.back(), position_, reach_in_step(settings_, accepted_, position_));
-  if (joins) passes_.back().integral->geometry().start_inactive(seen_from(Side::secondary, fields));
+  if (joins) passes_.back().integral->geometry().moving()->start_inactive(seen_from(Side::secondary, fields));
   return found;
 }
 
@@ -379,7 +375,6 @@ void ContactInterface::update_laws(const Settings& settings) {
 }
 
 bool faces_as_held(const ContactInterface& contact) {
-  if (!contact.effects_.traction) return true;
   return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
     if (!pass.faced) return true;
     NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
@@ -389,11 +384,11 @@ bool faces_as_held(const ContactInterface& contact) {
 }
 
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
-  if (!contact.effects_.traction) return false;
   const TaskClock timed = contact.measurements().clock(Task::augmentation);
   bool any = false;
+  contact.for_each_moving(
+      [&](Side side, MovingGeometry& moving) { any = moving.reconsiders_edge(seen_from(side, fields)) || any; });
   for (SidedPass& pass : contact.passes_) {
-    any = pass.integral->geometry().reconsiders_edge(seen_from(pass.side, fields)) || any;
     if (!pass.faced) continue;
     const NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                             contact.settings_);
@@ -423,12 +418,11 @@ void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
 
 void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::residual);
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass)
-    contact.pass(pass).geometry().hold_loads(seen_from(both_sides.at(pass), fields));
+  contact.for_each_moving([&](Side side, MovingGeometry& moving) { moving.hold_loads(seen_from(side, fields)); });
 }
 
 void forget_past(ContactInterface& contact) {
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).geometry().forget_past();
+  contact.for_each_moving([](Side /*side*/, MovingGeometry& moving) { moving.forget_past(); });
 }
 
 }  // namespace mixture_contact

@@ -46,10 +46,10 @@ class ContactInterface {
   void exchange_traction(bool traction);
 
   /// Begins a Newton iteration at a state, for whose positions project() has been called (see
-  /// ContactGeometry::begin_iteration). Returns true if the loads at this state differ from those before the call, so
+  /// MovingGeometry::begin_iteration). Returns true if the loads at this state differ from those before the call, so
   /// that the residual has to be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Moves the linearisation point of an iteration to another state (see ContactGeometry::linearise_at), after
+  /// Moves the linearisation point of an iteration to another state (see MovingGeometry::linearise_at), after
   /// project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
@@ -123,6 +123,13 @@ class ContactInterface {
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   ContactPass& pass(std::size_t index) { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
+  /// Calls use(side, geometry) for each pass whose surfaces move. `side`: the surface over which it integrates.
+  template <class Use>
+  void for_each_moving(const Use& use) const {
+    for (const SidedPass& pass : passes_) {
+      if (MovingGeometry* const moving = pass.integral->geometry().moving()) use(pass.side, *moving);
+    }
+  }
   /// Times and memory of the contact; const, because hosts add the time of their own work.
   Measurements& measurements() const { return measurements_; }
 
@@ -164,7 +171,7 @@ void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 /// Decides status and loads at a state for a residual without a tangent, for explicit dynamics (see
-/// ContactGeometry::hold_loads). project() has to be called before.
+/// MovingGeometry::hold_loads). project() has to be called before.
 void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 /// Discards the data of past iterations and steps, such that later iterations depend on the state only. A continued run
