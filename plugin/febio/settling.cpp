@@ -74,8 +74,8 @@ class UndecidedNodes {
   void begin_iteration() const {
     const TaskClock timed = core().measurements().clock(Task::stiffness);
     const PerSide<SurfaceFields> fields = assembly_.contact().fields();
-    core().for_each_moving(
-        [&](Side side, MovingGeometry& moving) { moving.held().open(opened_[side], seen_from(side, fields)); });
+    for_each_moving(
+        core(), [&](Side side, MovingGeometry& moving) { moving.held().open(opened_[side], seen_from(side, fields)); });
   }
 
  private:

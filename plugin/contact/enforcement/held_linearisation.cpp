@@ -43,9 +43,7 @@ void HeldLinearisation::has_matrix(bool has_loads) {
 
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
-bool HeldLinearisation::is_correctable() const {
-  return has_matrix_ && point_->is_linearised() && method_.predicts() && are_linear(laws_);
-}
+bool HeldLinearisation::is_correctable() const { return has_matrix_ && point_->is_linearised() && method_.is_linear(); }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields, ContactStatus status) const {
   NodalLoads now = space_.averages(space_.gaps(), fields, std::move(status));
@@ -98,13 +96,11 @@ bool HeldLinearisation::serves(const FacingFields& fields) const {
   return comes_nearer && (status == predicted.in_contact || may_take(status, options.most_changed_again));
 }
 
-bool HeldLinearisation::go_on(const FacingFields& fields) {
-  if (is_correctable()) return correct(fields);
-  keep();
-  return false;
-}
-
 bool HeldLinearisation::correct(const FacingFields& fields) {
+  if (!is_correctable()) {
+    keep();
+    return false;
+  }
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields, point_->loads.status());
   last_error_ = error_of(predicted, now);
@@ -218,7 +214,7 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
 void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
                                     const AddVector& add) const {
   // The works of nodes in contact are known, except those of friction and the fluxes of nodes that have opened.
-  const bool has_works = point_->is_linearised() && are_linear(laws_) && laws_.effects().nodal_fields() == 0;
+  const bool has_works = point_->is_linearised() && method_.is_linear() && laws_.effects().nodal_fields() == 0;
   if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);
   linear_residual(point_->nodes, change.loads, fields, dt, add);
   const NodeFlags others = unknown_of(change.loads.in_contact);

@@ -37,10 +37,8 @@ class HeldLinearisation {
   bool serves(const FacingFields& fields) const;
   /// Begins an iteration with the corrected linearisation: gaps and jumps have their true values and keep their
   /// variations. Added nodes have the variations of this state. Returns true if loads change or differ from those of
-  /// the matrix.
+  /// the matrix. If the linearisation cannot be corrected, no load changes.
   bool correct(const FacingFields& fields);
-  /// Begins an iteration: corrects the linearisation if it can be corrected, else no load changes.
-  bool go_on(const FacingFields& fields);
 
   /// Notes that the host has assembled its matrix with this linearisation. `has_loads`: true if nodal loads, except
   /// those on rigid bodies, are unknowns of the matrix, such that nodes can be released and added.

@@ -66,8 +66,6 @@ class MovingGeometry : public ContactGeometry {
   void hold(LinearisationPoint point, const FacingFields& fields);
   /// The geometric part of the tangent if it was computed at these positions; else null.
   const GeometricPart* geometric_at(const FacingPositions& x) const;
-  /// The linearised averages at a state.
-  IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   /// The averages at a state, with the status with which iterations begin.
   NodalLoads initial_averages(const FacingFields& fields) const;
   /// The contact status with which an iteration begins (see begin_iteration()). `now`: present loads.

@@ -9,7 +9,7 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
   if (!faces_as_held(contact)) return false;
   const TaskClock timed = contact.measurements().clock(Task::augmentation);
   bool all = true;
-  contact.for_each_moving([&](Side side, MovingGeometry& moving) {
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
     const FacingFields seen = seen_from(side, fields);
     const HeldLinearisation& held = moving.held();
     all = all && (held.is_correctable() ? held.serves(seen) : moving.is_solution(seen));
@@ -20,8 +20,9 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
 bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::stiffness);
   bool changed = false;
-  contact.for_each_moving(
-      [&](Side side, MovingGeometry& moving) { changed = moving.held().go_on(seen_from(side, fields)) || changed; });
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
+    changed = moving.held().correct(seen_from(side, fields)) || changed;
+  });
   return changed;
 }
 
@@ -29,7 +30,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
                      const ContactInterface::AddResidual& add) {
   TaskClock timed = contact.measurements().clock(Task::residual);
   bool is_known = true;
-  contact.for_each_moving([&](Side side, MovingGeometry& moving) {
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
     const auto add_part = [&](const Patch& patch, const VectorXd& values) {
       timed.in_host([&] { add({side, patch}, values); });
     };
@@ -39,7 +40,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
 }
 
 void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads) {
-  contact.for_each_moving([&](Side side, MovingGeometry& moving) { moving.held().has_matrix(has_loads[side]); });
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) { moving.held().has_matrix(has_loads[side]); });
 }
 
 }  // namespace mixture_contact

@@ -27,7 +27,7 @@ void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads);
 /// integrates.
 template <class Use>
 void for_each_correctable(const ContactInterface& contact, const Use& use) {
-  contact.for_each_moving([&](Side side, MovingGeometry& moving) {
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
     if (moving.held().is_correctable()) use(side, moving.held());
   });
 }

@@ -157,15 +157,16 @@ void ContactInterface::exchange_traction(bool traction) {
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
-  for_each_moving(
-      [&](Side side, MovingGeometry& moving) { changed = moving.begin_iteration(seen_from(side, fields)) || changed; });
+  for_each_moving(*this, [&](Side side, MovingGeometry& moving) {
+    changed = moving.begin_iteration(seen_from(side, fields)) || changed;
+  });
   for (const SidedPass& pass : passes_) timed.take(pass.integral->space().effect_times(), thread_count());
   measurements_.note(memory_of(passes_));
   return changed;
 }
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
-  for_each_moving([&](Side side, MovingGeometry& moving) { moving.linearise_at(seen_from(side, fields)); });
+  for_each_moving(*this, [&](Side side, MovingGeometry& moving) { moving.linearise_at(seen_from(side, fields)); });
 }
 
 void ContactInterface::end_iterations() {
@@ -179,8 +180,9 @@ void ContactInterface::end_iterations() {
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   bool agrees = true;
-  for_each_moving(
-      [&](Side side, const MovingGeometry& moving) { agrees = agrees && moving.is_solution(seen_from(side, fields)); });
+  for_each_moving(*this, [&](Side side, const MovingGeometry& moving) {
+    agrees = agrees && moving.is_solution(seen_from(side, fields));
+  });
   return agrees && faces_as_held(*this) &&
          (settings_.enforcement != Enforcement::lagrange_multipliers ||
           meets(gaps(fields), settings_.tolerances, effects_));
@@ -386,8 +388,9 @@ bool faces_as_held(const ContactInterface& contact) {
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::augmentation);
   bool any = false;
-  contact.for_each_moving(
-      [&](Side side, MovingGeometry& moving) { any = moving.reconsiders_edge(seen_from(side, fields)) || any; });
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
+    any = moving.reconsiders_edge(seen_from(side, fields)) || any;
+  });
   for (SidedPass& pass : contact.passes_) {
     if (!pass.faced) continue;
     const NodeFlags facing = facing_contact(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
@@ -418,11 +421,11 @@ void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
 
 void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::residual);
-  contact.for_each_moving([&](Side side, MovingGeometry& moving) { moving.hold_loads(seen_from(side, fields)); });
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) { moving.hold_loads(seen_from(side, fields)); });
 }
 
 void forget_past(ContactInterface& contact) {
-  contact.for_each_moving([](Side /*side*/, MovingGeometry& moving) { moving.forget_past(); });
+  for_each_moving(contact, [](Side /*side*/, MovingGeometry& moving) { moving.forget_past(); });
 }
 
 }  // namespace mixture_contact

@@ -123,13 +123,6 @@ class ContactInterface {
   const ContactPass& pass(std::size_t index) const { return *passes_[index].integral; }
   ContactPass& pass(std::size_t index) { return *passes_[index].integral; }
   std::size_t passes() const { return passes_.size(); }
-  /// Calls use(side, geometry) for each pass whose surfaces move. `side`: the surface over which it integrates.
-  template <class Use>
-  void for_each_moving(const Use& use) const {
-    for (const SidedPass& pass : passes_) {
-      if (MovingGeometry* const moving = pass.integral->geometry().moving()) use(pass.side, *moving);
-    }
-  }
   /// Times and memory of the contact; const, because hosts add the time of their own work.
   Measurements& measurements() const { return measurements_; }
 
@@ -153,6 +146,14 @@ class ContactInterface {
   bool searched_ = false;        ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };
+
+/// Calls use(side, geometry) for each pass whose surfaces move. `side`: the surface over which it integrates.
+template <class Use>
+void for_each_moving(const ContactInterface& contact, const Use& use) {
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
+    if (MovingGeometry* const moving = contact.pass(pass).geometry().moving()) use(both_sides.at(pass), *moving);
+  }
+}
 
 /// True if the nodes that face contact are the same as at the start of the iteration.
 bool faces_as_held(const ContactInterface& contact);
