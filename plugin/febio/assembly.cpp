@@ -38,18 +38,15 @@ newton::Condition changed_condition(newton::Condition follows, double traction, 
 /// The equations of a contact's nodes, which are gathered when they are first needed.
 class GatheredOnce {
  public:
-  /// Keeps references.
-  GatheredOnce(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-      : dofs_(dofs), surfaces_(surfaces), core_(core) {}
+  /// Keeps a reference.
+  explicit GatheredOnce(const BoundContact& contact) : contact_(contact) {}
   const NodeEquations& operator()() const {
-    if (!equations_) equations_.emplace(dofs_, surfaces_, core_);
+    if (!equations_) equations_.emplace(contact_);
     return *equations_;
   }
 
  private:
-  const DofMap& dofs_;
-  ContactSurfaces& surfaces_;
-  const ContactInterface& core_;
+  const BoundContact& contact_;
   mutable std::optional<NodeEquations> equations_;
 };
 
@@ -57,7 +54,7 @@ class GatheredOnce {
 
 void Assembly::for_each_coupling(const UseBlock& use_block, const UseLoad& use_load, const UseRow& use_row) const {
   const ContactInterface& core = contact_.core();
-  const NodeEquations equations(dofs_, surfaces_, core);
+  const NodeEquations equations(contact_);
   ContactInterface::UseRows use_rows;
   if (takes_rows_)
     use_rows = [&](Side first, const IndexedVector<TangentBlock>& rows) {
@@ -101,7 +98,7 @@ void Assembly::add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form) {
   form_ = form;
   const bool takes_all = takes_blocks(matrix, form.is_constrained);
   const bool takes_loads = takes_all && form.has(newton::Device::loads_as_unknowns);
-  takes_rows_ = takes_all && takes_any_structure(*surfaces_[Side::primary].GetFEModel());
+  takes_rows_ = takes_all && takes_any_structure(*contact_.surfaces()[Side::primary].GetFEModel());
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   newton::CoupledBlocks blocks(profile.Columns());
   for_each_coupling([&](const std::vector<int>& ids) { blocks.add(ids); },
@@ -127,31 +124,40 @@ void Assembly::residual(FEGlobalVector& residual, double dt) const {
   const ContactInterface& core = contact_.core();
   const TaskClock timed = core.measurements().clock(Task::residual);
   const PerSide<SurfaceFields> fields = contact_.fields();
-  const RigidShellBottoms arms(surfaces_);
-  core.residual(fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
+  const RigidShellBottoms arms(contact_.surfaces());
+  core.residual(fields, dt, adder(NodeEquations(contact_), residual));
 }
 
 bool Assembly::residual_change(FEGlobalVector& residual, double dt) const {
   const PerSide<SurfaceFields> fields = contact_.fields();
-  const RigidShellBottoms arms(surfaces_);
+  const RigidShellBottoms arms(contact_.surfaces());
   const ContactInterface& core = contact_.core();
-  return mixture_contact::residual_change(core, fields, dt, adder(NodeEquations(dofs_, surfaces_, core), residual));
+  return mixture_contact::residual_change(core, fields, dt, adder(NodeEquations(contact_), residual));
 }
 
 std::vector<newton::Condition> Assembly::conditions(double dt) const {
   const ContactInterface& core = contact_.core();
-  const GatheredOnce equations(dofs_, surfaces_, core);
+  const GatheredOnce equations(contact_);
   std::vector<newton::Condition> found;
-  for (const auto& [side, node] : released_nodes(core))
-    found.push_back(newton::given_unknown(loads_.of(equations(), core, side, {node, std::nullopt, {}}), 0));
-  added_loads(core, dt,
-              [&](Side first, const LoadBlock& load) { found.push_back(condition_of(equations(), first, load)); });
+  for_each_correctable(core, [&](Side side, const HeldLinearisation& held) {
+    for (const int node : held.released())
+      found.push_back(newton::given_unknown(loads_.of(equations(), core, side, {node, std::nullopt, {}}), 0));
+  });
+  for_each_correctable(core, [&](Side side, const HeldLinearisation& held) {
+    const auto add = [&](const LoadBlock& load) { found.push_back(condition_of(equations(), side, load)); };
+    held.add_loads(held.added(), dt, add);
+  });
   return found;
 }
 
 std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
   const ContactInterface& core = contact_.core();
-  const PerSide<VectorXd> tractions = undecided_tractions(core, contact_.fields());
+  const PerSide<SurfaceFields> fields = contact_.fields();
+  PerSide<VectorXd> tractions;
+  for (const Side side : both_sides) tractions[side] = unknown_values(core.mesh(side).nodes);
+  for_each_correctable(core, [&](Side side, const HeldLinearisation& held) {
+    tractions[side] = held.undecided(seen_from(side, fields));
+  });
   std::vector<UndecidedLoad> found;
   for (const auto& [side, node, equation, of_one] : unknown_tractions_) {
     const double traction = tractions[side][node];
@@ -160,7 +166,7 @@ std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
     found.push_back(
         {side, node, traction, true, std::move(released), {{equation, of_one}}, load_unknown_scale * of_one});
   }
-  const GatheredOnce equations(dofs_, surfaces_, core);
+  const GatheredOnce equations(contact_);
   const auto add = [&](Side first, const LoadBlock& load, bool is_in_contact) {
     const double traction = tractions[first][load.place.node];
     const std::vector<int> columns = equations().equations({first, load.place.columns});
@@ -169,13 +175,17 @@ std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
                      changed_condition(condition_of(equations(), first, load), traction, load.factor, is_in_contact),
                      equations().entries({first, load.place.columns}, load.factor * load.variation), 0});
   };
-  added_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, true); });
-  nearing_loads(core, dt, [&](Side first, const LoadBlock& load) { add(first, load, false); });
+  for (const bool in_contact : {true, false}) {
+    for_each_correctable(core, [&](Side side, const HeldLinearisation& held) {
+      const IndexedVector<int> nodes = in_contact ? held.added() : held.nearing();
+      held.add_loads(nodes, dt, [&](const LoadBlock& load) { add(side, load, in_contact); });
+    });
+  }
   return found;
 }
 
 PerSide<Matrix3Xd> Assembly::displacements(const std::vector<double>& increment) const {
-  return NodeEquations(dofs_, surfaces_, contact_.core()).displacements(increment);
+  return NodeEquations(contact_).displacements(increment);
 }
 
 newton::Condition Assembly::condition_of(const NodeEquations& equations, Side first, const LoadBlock& load) const {
@@ -194,8 +204,8 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt
   const ContactInterface& core = contact_.core();
   TaskClock timed = core.measurements().clock(Task::stiffness);
   const PerSide<SurfaceFields> fields = contact_.fields();
-  const RigidShellBottoms arms(surfaces_);
-  const NodeEquations equations(dofs_, surfaces_, core);
+  const RigidShellBottoms arms(contact_.surfaces());
+  const NodeEquations equations(contact_);
   TangentAssembly parts(core, equations, loads_, system, matrix,
                         {takes_blocks(matrix, form_.is_constrained), form_.has(newton::Device::loads_as_unknowns)});
   beside_.clear();
@@ -211,7 +221,7 @@ void Assembly::tangent(FELinearSystem& system, FEGlobalMatrix& matrix, double dt
   parts.finish(timed);
   unknown_loads_ = parts.unknown_loads();
   unknown_tractions_ = parts.unknown_tractions();
-  has_matrix(contact_.core(), parts.has_loads(), equations.rigid());
+  has_matrix(contact_.core(), parts.has_loads());
 }
 
 newton::RowOperations Assembly::eliminate_nodes(FEGlobalMatrix& matrix) const {

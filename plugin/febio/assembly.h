@@ -37,8 +37,7 @@ struct MatrixForm {
 /// Assembles a sliding contact.
 class Assembly {
  public:
-  Assembly(const BoundContact& contact, ContactSurfaces& surfaces, const DofMap& dofs, const LoadEquations& loads)
-      : contact_(contact), surfaces_(surfaces), dofs_(dofs), loads_(loads) {}
+  Assembly(const BoundContact& contact, const LoadEquations& loads) : contact_(contact), loads_(loads) {}
 
   /// Adds the couplings of the present active set to the profile of the matrix.
   void add_to_profile(FEGlobalMatrix& matrix, const MatrixForm& form);
@@ -100,8 +99,6 @@ class Assembly {
   static mixture_contact::ContactInterface::AddResidual adder(const NodeEquations& equations, FEGlobalVector& residual);
 
   const BoundContact& contact_;
-  ContactSurfaces& surfaces_;
-  const DofMap& dofs_;
   const LoadEquations& loads_;
   MatrixForm form_;          ///< properties of the matrix
   bool takes_rows_ = false;  ///< true if the matrix takes the geometric part by nodes

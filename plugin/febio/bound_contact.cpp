@@ -2,7 +2,6 @@
 
 #include "archive.h"
 #include "contact/base/parallel.h"
-#include "contact/interface/corrections.h"
 #include "contact/interface/multipliers.h"
 #include "core_archive.h"
 #include "host/warnings.h"
@@ -95,11 +94,19 @@ PerSide<SurfaceFields> BoundContact::fields() const {
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);
-  // FEBio changes parameters before it begins a step, and evaluates the model before it prepares the contact for the
-  // step.
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass)
-    core_->pass(pass).measure_gaps_from(parameters_.gap.offset.value);
-  const FESolver* solver = surfaces_[Side::primary].GetFEModel()->GetCurrentStep()->GetFESolver();
+  FEModel& fem = *surfaces_[Side::primary].GetFEModel();
+  const bool is_any_free = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
+  const bool holds = !has_inertia(fem) &&
+                     (dofs_.has_free_rigid_body(Side::primary) || dofs_.has_free_rigid_body(Side::secondary));
+  // FEBio changes parameters and equations before it begins a step, and evaluates the model before it prepares the
+  // contact for the step.
+  for (std::size_t number = 0; number < core_->passes(); ++number) {
+    ContactPass& pass = core_->pass(number);
+    pass.measure_gaps_from(parameters_.gap.offset.value);
+    pass.laws().between_rigid_bodies = !is_any_free;
+    pass.laws().holds_rigid_body = holds;
+  }
+  const FESolver* solver = fem.GetCurrentStep()->GetFESolver();
   const bool keep_facets = parameters_.search.seg_up > 0 && solver->m_niter > parameters_.search.seg_up;
   core_->project(surfaces_.positions(),
                  keep_facets ? ContactInterface::Search::same_facets : ContactInterface::Search::everywhere);
@@ -109,40 +116,19 @@ void BoundContact::prepare_step() {
   if (multiplier_layout(*core_).size() > 0) step_start_ = unknown_multipliers(*core_);
 }
 
-bool BoundContact::begin_iteration() {
-  const TaskClock timed = core_->measurements().clock(Task::stiffness);
-  const bool is_any_free = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
-  const bool holds = !has_inertia(*surfaces_[Side::primary].GetFEModel()) &&
-                     (dofs_.has_free_rigid_body(Side::primary) || dofs_.has_free_rigid_body(Side::secondary));
-  for (std::size_t pass = 0; pass < core_->passes(); ++pass) {
-    core_->pass(pass).laws().between_rigid_bodies = !is_any_free;
-    core_->pass(pass).laws().holds_rigid_body = holds;
-  }
-  const bool has_changed = core_->begin_iteration(fields());
-  if (!begins_open_) begins_open_ = is_open(*core_);
-  return has_changed;
-}
+void BoundContact::note_beginning() { began_open_ = is_open(*core_); }
 
-bool BoundContact::keeps_matrix() { return serves_again(*core_, fields()); }
-bool BoundContact::correct() { return mixture_contact::correct(*core_, fields()); }
-void BoundContact::hold_loads() { mixture_contact::hold_loads(*core_, fields()); }
-
-bool BoundContact::finds_overlap() {
-  const UndetectedPenetration undetected = core_->check_penetration(fields());
-  if (undetected.nodes == 0) return false;
+void BoundContact::report(const UndetectedPenetration& undetected) {
   const PerSide<std::string> names = surfaces_.names();
-  if (!std::exchange(said_overlap_, true))
-    log_.line(penetration_line(log_.name(), names[Side::primary], names[Side::secondary], undetected));
-  return !is_solution();
+  log_.line(penetration_line(log_.name(), names[Side::primary], names[Side::secondary], undetected));
 }
 
 std::string BoundContact::fail_step() {
   if (!core_->effects().traction) return "";
-  const bool began_open = begins_open_.value_or(false);
   NodalLaws& laws = core_->pass(0).laws();
   const bool bears_nothing = !laws.has_twin() && laws.multipliers.accepted_traction.isZero(0);
-  if (began_open || bears_nothing) laws.close_overlapped = true;
-  return began_open && !std::exchange(said_open_, true) ? open_contact_line(log_.name()) : "";
+  if (began_open_ || bears_nothing) laws.close_overlapped = true;
+  return began_open_ && !std::exchange(said_open_, true) ? open_contact_line(log_.name()) : "";
 }
 
 void BoundContact::set_multipliers(const std::vector<double>& total, const std::vector<double>& increment) {

@@ -7,7 +7,6 @@
 #include "host/contact_steps.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 /// Positions and fields at the nodes of both surfaces, in the form of the core.
@@ -29,28 +28,16 @@ class BoundContact : public mixture_contact::SteppedContact {
   int nodes_of_mesh() const { return nodes_of_mesh_; }
   /// Sets the state of a new core from the state `before`, whose nodes may differ from those of the core.
   void go_on_from(const mixture_contact::NumberedState& before);
-  mixture_contact::ContactInterface& core() const { return *core_; }
-  const ContactSurfaces& surfaces() const { return surfaces_; }
+  mixture_contact::ContactInterface& core() const override { return *core_; }
+  ContactSurfaces& surfaces() const { return surfaces_; }
   const DofMap& dofs() const { return dofs_; }
   const ContactParameters& parameters() const { return parameters_; }
+  const ContactLog& log() const { return log_; }
   std::string name() const { return log_.name(); }
-  /// Positions and fields at the nodes, in the form of the core.
-  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const;
-
+  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const override;
   void project() override;
   void prepare_step() override;
-  void end_iterations() override {
-    core_->end_iterations();
-    begins_open_.reset();
-  }
-  bool begin_iteration() override;
-  void hold_loads() override;
-  void linearise_at() override { core_->linearise_at(fields()); }
-  bool keeps_matrix() override;
-  bool correct() override;
-  bool is_solution() override { return core_->is_solution(fields()); }
-  bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(*core_, fields()); }
-  bool finds_overlap() override;
+  void note_beginning() override;
   /// Notes that a step has failed. If the step began without a node in contact, and before contact has borne a load,
   /// the next attempt begins with contact at all nodes around overlapping points. Returns a line for the log the first
   /// time that a failed step began without a node in contact, otherwise an empty text.
@@ -60,6 +47,9 @@ class BoundContact : public mixture_contact::SteppedContact {
   void set_multipliers(const std::vector<double>& total, const std::vector<double>& increment);
 
   void serialize(DumpStream& ar);
+
+ protected:
+  void report(const mixture_contact::UndetectedPenetration& undetected) override;
 
  private:
   /// Restores a state with other nodes, after a failed attempt in which elements have eroded.
@@ -73,7 +63,6 @@ class BoundContact : public mixture_contact::SteppedContact {
   mixture_contact::NodeNumbers numbers_;  ///< numbers of the core's nodes in the mesh
   int nodes_of_mesh_ = 0;
   mixture_contact::VectorXd step_start_;  ///< unknown multipliers at the start of the step
-  bool said_overlap_ = false;             ///< true if the overlap has been reported in this run
-  std::optional<bool> begins_open_;       ///< true if the step began without a node in contact; empty before a step
+  bool began_open_ = false;               ///< true if the iterations began without a node in contact
   bool said_open_ = false;                ///< true if open contact has been reported in this run
 };

@@ -12,11 +12,11 @@ void ContactOutput::store() {
   const std::vector<int> exchanged = exchanged_solutes(core.effects());
   const InterfaceOutput out = output(core, contact_.fields());
   Balance total = out.balance;
-  surfaces_[Side::primary].store_output(out.nodes[Side::primary], total, exchanged);
+  contact_.surfaces()[Side::primary].store_output(out.nodes[Side::primary], total, exchanged);
   total.force = -total.force;
   total.friction = -total.friction;
   total.flow = -total.flow;
-  surfaces_[Side::secondary].store_output(out.nodes[Side::secondary], total, exchanged);
+  contact_.surfaces()[Side::secondary].store_output(out.nodes[Side::secondary], total, exchanged);
   warn_of_overlap();
 }
 
@@ -24,11 +24,12 @@ void ContactOutput::warn_of_overlap() {
   const UndetectedPenetration& overlap = contact_.core().undetected_penetration();
   if (has_warned_ || overlap.nodes == 0) return;
   has_warned_ = true;
-  const PerSide<std::string> names = surfaces_.names();
-  log_.warning(overlap_warning(log_.name(), names[Side::primary], names[Side::secondary], overlap));
+  const PerSide<std::string> names = contact_.surfaces().names();
+  contact_.log().warning(overlap_warning(contact_.name(), names[Side::primary], names[Side::secondary], overlap));
 }
 
 void ContactOutput::log_timings() const {
-  log_.line("");
-  for (const std::string& line : timings_table(log_.name(), contact_.core(), run_.peek())) log_.line(line);
+  contact_.log().line("");
+  for (const std::string& line : timings_table(contact_.name(), contact_.core(), run_.peek()))
+    contact_.log().line(line);
 }

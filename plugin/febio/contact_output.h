@@ -6,8 +6,8 @@
 /// Stores and logs the output of a contact.
 class ContactOutput {
  public:
-  ContactOutput(const BoundContact& contact, ContactSurfaces& surfaces, const ContactLog& log)
-      : contact_(contact), surfaces_(surfaces), log_(log) {}
+  /// Keeps a reference.
+  explicit ContactOutput(const BoundContact& contact) : contact_(contact) {}
 
   /// Stores the values of a step that has been solved.
   void store();
@@ -18,8 +18,6 @@ class ContactOutput {
   void warn_of_overlap();
 
   const BoundContact& contact_;
-  ContactSurfaces& surfaces_;
-  const ContactLog& log_;
   mixture_contact::Stopwatch run_;  ///< time since the contact was read
   bool has_warned_ = false;         ///< true if an overlap has been reported in this run
 };

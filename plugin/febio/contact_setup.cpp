@@ -69,36 +69,36 @@ bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLo
 // ------------------------------------------------------------ checks
 
 bool ContactSetup::has_sound_values() const {
-  std::vector<std::string> wrong = complaints(parameters_);
-  for (const std::string& of_film : membrane_complaints(parameters_.membrane, dofs_.concentrations()))
+  std::vector<std::string> wrong = complaints(parameters());
+  for (const std::string& of_film : membrane_complaints(parameters().membrane, dofs().concentrations()))
     wrong.push_back(of_film);
-  log_.errors(wrong);
+  log().errors(wrong);
   return wrong.empty();
 }
 
 bool ContactSetup::check_parameters() const {
   const bool sound = has_sound_values();
-  for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
-  const bool has_ambient = parameters_.ambient.pressure != 0 || !ambient_.empty();
-  if (!parameters_.ambient.free_draining && has_ambient && !has_friction(parameters_))
-    log_.say("ambient values have no effect: <free_draining> is 0.");
+  for (const std::string& sentence : notices(parameters())) log().say(sentence);
+  const bool has_ambient = parameters().ambient.pressure != 0 || !ambient_.empty();
+  if (!parameters().ambient.free_draining && has_ambient && !has_friction(parameters()))
+    log().say("ambient values have no effect: <free_draining> is 0.");
   return sound;
 }
 
 bool ContactSetup::check_surfaces() const {
-  if (!have_known_facets(surfaces_, log_)) return false;
-  return !parameters_.self_contact || have_no_inner_facets();
+  if (!have_known_facets(surfaces(), log())) return false;
+  return !parameters().self_contact || have_no_inner_facets();
 }
 
 bool ContactSetup::have_no_inner_facets() const {
   for (const Side side : both_sides) {
-    FEMixtureSurface& surface = surfaces_[side];
+    FEMixtureSurface& surface = surfaces()[side];
     for (int i = 0; i < surface.Elements(); ++i) {
       if (solids_with(fem_.GetMesh(), surface.Element(i).m_node) < 2) continue;
-      log_.error("the surfaces \"" + surfaces_.names()[Side::primary] + "\" and \"" +
-                 surfaces_.names()[Side::secondary] + "\" have facets in common, and one of \"" + surface.GetName() +
-                 "\" lies inside a body, between two elements: nothing can slide there. Give each body its own nodes, "
-                 "or select outer faces alone.");
+      log().error("the surfaces \"" + surfaces().names()[Side::primary] + "\" and \"" +
+                  surfaces().names()[Side::secondary] + "\" have facets in common, and one of \"" + surface.GetName() +
+                  "\" lies inside a body, between two elements: nothing can slide there. Give each body its own nodes, "
+                  "or select outer faces alone.");
       return false;
     }
   }
@@ -107,123 +107,124 @@ bool ContactSetup::have_no_inner_facets() const {
 
 bool ContactSetup::check_ambient() const {
   const double unlimited = std::numeric_limits<double>::infinity();
-  const std::string wrong = complaint("ambient_concentration", solute_values(ambient_), dofs_.concentrations(),
+  const std::string wrong = complaint("ambient_concentration", solute_values(ambient_), dofs().concentrations(),
                                       unlimited);
-  if (!wrong.empty()) log_.error(wrong);
+  if (!wrong.empty()) log().error(wrong);
   return wrong.empty();
 }
 
 bool ContactSetup::check_mesh_adaptors() const {
-  const bool is_lagmult = core_settings(parameters_).enforcement == Enforcement::lagrange_multipliers;
+  const bool is_lagmult = core_settings(parameters()).enforcement == Enforcement::lagrange_multipliers;
   for (int i = 0; i < fem_.MeshAdaptors(); ++i) {
     FEMeshAdaptor& adaptor = *fem_.MeshAdaptor(i);
     if (is_lagmult) {
-      log_.error("<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" +
-                 std::string(adaptor.GetTypeStr()) +
-                 "): FEBio cannot repeat a step in which the number of unknowns has changed. Use AUGLAG, or PENALTY.");
+      log().error("<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" +
+                  std::string(adaptor.GetTypeStr()) +
+                  "): FEBio cannot repeat a step in which the number of unknowns has changed. Use AUGLAG, or PENALTY.");
       return false;
     }
     const FEParam* const erodes = adaptor.GetParameter("erode_surfaces");
     if (erodes != nullptr && erodes->type() == FE_PARAM_INT && erodes->value<int>() == 0)
-      log_.say("<erode_surfaces> of the mesh adaptor is 0: facets of eroded elements remain in contact.");
-    if (!parameters_.penalties.traction.given && is_criterion_of_gaps(adaptor))
-      log_.say(
+      log().say("<erode_surfaces> of the mesh adaptor is 0: facets of eroded elements remain in contact.");
+    if (!parameters().penalties.traction.given && is_criterion_of_gaps(adaptor))
+      log().say(
           "the mesh adaptor's criterion \"contact gap\" measures the overlap of the surfaces, which the automatic penalty "
           "hardly allows. Set <penalty> to the value for which you chose the criterion.");
   }
   return true;
 }
 
-bool ContactSetup::has_penalty(const BoundContact& contact) const {
-  if (contact.core().pass(0).penalty().traction.allFinite()) return true;
-  log_.error(
+bool ContactSetup::has_penalty() const {
+  if (contact_.core().pass(0).penalty().traction.allFinite()) return true;
+  log().error(
       "both surfaces are rigid and no material has a modulus, so the penalty cannot follow from a stiffness. Set "
       "<penalty> to a value [force/length^3] and <auto_penalty> to 0, or <E> of a rigid material.");
   return false;
 }
 
-bool ContactSetup::can_have_multipliers(const BoundContact& contact) const {
-  return multiplier_layout(contact.core()).size() == 0 || can_solve_for_multipliers(fem_, dofs_, log_);
+bool ContactSetup::can_have_multipliers() const {
+  return multiplier_layout(contact_.core()).size() == 0 || can_solve_for_multipliers(fem_, dofs(), log());
 }
 
 // ------------------------------------------------------------ materials
 
 bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
-  if (parameters_.penalties.traction.given && !parameters_.penalties.auto_penalty) return false;
+  if (parameters().penalties.traction.given && !parameters().penalties.auto_penalty) return false;
   const auto& primary = materials[Side::primary];
   const auto& secondary = materials[Side::secondary];
-  return lack_stiffness(primary, secondary) || (parameters_.enforcement.two_pass && lack_stiffness(secondary, primary));
+  return lack_stiffness(primary, secondary) ||
+         (parameters().enforcement.two_pass && lack_stiffness(secondary, primary));
 }
 
 std::optional<FacetMaterials> ContactSetup::materials() const {
-  std::optional<FacetMaterials> materials = facet_materials(fem_, surfaces_, log_);
+  std::optional<FacetMaterials> materials = facet_materials(fem_, surfaces(), log());
   if (!materials || !lacks_stiffness(*materials)) return materials;
   stand_in_for_rigid_bodies(fem_, *materials);
   return materials;
 }
 
 void ContactSetup::say_stand_in() const {
-  const auto found = facet_materials(fem_, surfaces_, log_);
+  const auto found = facet_materials(fem_, surfaces(), log());
   if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
   std::ostringstream text;
   text
       << "both surfaces are rigid. The automatic penalty uses a modulus of " << modulus_of_rigid_bodies(fem_)
       << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
       << "[force/length^3] for a value of your own.";
-  log_.say(text.str());
+  log().say(text.str());
 }
 
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
   std::vector<std::string> names = solute_names(fem_);
-  names.resize(indexing::entries(dofs_.concentrations()));
-  std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
-  if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
-  leave_out(left_out(parameters_), fields);
+  names.resize(indexing::entries(dofs().concentrations()));
+  std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces().names(), names);
+  if (dofs().pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
+  leave_out(left_out(parameters()), fields);
   return fields;
 }
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
-  return {has_friction(parameters_),
-          dofs_.pressure(false) >= 0 && is_relieved_by_fluid(parameters_) && has_fluid(materials)};
+  return {has_friction(parameters()),
+          dofs().pressure(false) >= 0 && is_relieved_by_fluid(parameters()) && has_fluid(materials)};
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
   fields_at_contact_ = fields_of_model(materials);
   friction_ = friction_of_model(materials);
-  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, Motion::undecided, friction_);
-  log_.errors(exchange.complaints);
+  const Exchange exchange = decide_exchange(parameters().effects, fields_at_contact_, Motion::undecided, friction_);
+  log().errors(exchange.complaints);
   if (!exchange.complaints.empty()) return std::nullopt;
-  const std::vector<std::string> wrong = membrane_complaints(parameters_.membrane, exchange.effects);
-  log_.errors(wrong);
+  const std::vector<std::string> wrong = membrane_complaints(parameters().membrane, exchange.effects);
+  log().errors(wrong);
   if (!wrong.empty()) return std::nullopt;
-  for (const std::string& sentence : membrane_notices(parameters_, exchange.effects)) log_.say(sentence);
+  for (const std::string& sentence : membrane_notices(parameters(), exchange.effects)) log().say(sentence);
   const int fields = exchange.effects.nodal_fields();
   if (fields <= max_scalar_fields) return exchange.effects;
-  log_.error("the surfaces share " + std::to_string(fields) + " fields; at most " + std::to_string(max_scalar_fields) +
-             " are supported.");
+  log().error("the surfaces share " + std::to_string(fields) + " fields; at most " + std::to_string(max_scalar_fields) +
+              " are supported.");
   return std::nullopt;
 }
 
-bool ContactSetup::build(BoundContact& contact) {
+bool ContactSetup::build() {
   crossing_.reset();  // the surfaces may have changed
   const auto found = materials();
   const auto exchanged = found ? effects(*found) : std::nullopt;
   if (!exchanged) return false;
   PerSide<SurfaceMesh> meshes;
-  for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], (*found)[side], *exchanged);
-  const NodeNumbers numbers = surfaces_.node_numbers();
-  if (parameters_.self_contact) {
+  for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces()[side], (*found)[side], *exchanged);
+  const NodeNumbers numbers = surfaces().node_numbers();
+  if (parameters().self_contact) {
     for (const Side side : both_sides) meshes[side].node_ids = numbers[side];
-  } else if (surfaces_[Side::primary].has_shell_bottoms() == surfaces_[Side::secondary].has_shell_bottoms()) {
+  } else if (surfaces()[Side::primary].has_shell_bottoms() == surfaces()[Side::secondary].has_shell_bottoms()) {
     find_joined_nodes(meshes, {{numbers[Side::primary], numbers[Side::secondary]}});
   }
-  contact.build(std::move(meshes), *exchanged);
+  contact_.build(std::move(meshes), *exchanged);
   say_stand_in();
-  return has_penalty(contact) && can_have_multipliers(contact);
+  return has_penalty() && can_have_multipliers();
 }
 
-void ContactSetup::update_properties(const BoundContact& contact) const {
-  if (const auto found = materials()) update_materials(contact.core(), *found);
+void ContactSetup::update_properties() const {
+  if (const auto found = materials()) update_materials(contact_.core(), *found);
 }
 
 SolverKind ContactSetup::solver_kind() {
@@ -237,42 +238,42 @@ SolverKind ContactSetup::solver_kind() {
   return would_rebound(*crossing_, dt) ? SolverKind::implicit_dynamics : SolverKind::newton;
 }
 
-void ContactSetup::update_laws(const BoundContact& contact, const ReducedPenalty& reduction) {
-  Settings settings = core_settings(parameters_, solver_kind(), reduction);
+void ContactSetup::update_laws(const ReducedPenalty& reduction) {
+  Settings settings = core_settings(parameters(), solver_kind(), reduction);
   settings.solvent.time_step = storing_time_step(fem_);
-  contact.core().update_laws(settings);
+  contact_.core().update_laws(settings);
 }
 
-void ContactSetup::find_immovable_nodes(const BoundContact& contact) const {
-  set_immovable(contact.core(), {{dofs_.immovable_nodes(Side::primary), dofs_.immovable_nodes(Side::secondary)}});
+void ContactSetup::find_immovable_nodes() const {
+  set_immovable(contact_.core(), {{dofs().immovable_nodes(Side::primary), dofs().immovable_nodes(Side::secondary)}});
 }
 
-bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters_, solver_kind_of(fem_)); }
+bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters(), solver_kind_of(fem_)); }
 
-bool ContactSetup::follow_load_curves(const BoundContact& contact, const ReducedPenalty& reduction) {
+bool ContactSetup::follow_load_curves(const ReducedPenalty& reduction) {
   const bool sound = has_sound_values() && check_ambient();
-  if (sound) update_laws(contact, reduction);
+  if (sound) update_laws(reduction);
   return sound;
 }
 
 // ------------------------------------------------------------ traction
 
 Motion ContactSetup::motion() const {
-  if (left_out(parameters_).contact) return Motion::untouched;
+  if (left_out(parameters()).contact) return Motion::untouched;
   const auto is_fixed = [&](const FENode& node, const std::array<int, 3>& dofs) {
     return node.m_rid < 0 &&
            std::all_of(dofs.begin(), dofs.end(), [&](int dof) { return node.get_bc(dof) == DOF_FIXED; });
   };
   for (const Side side : both_sides) {
-    FEMixtureSurface& surface = surfaces_[side];
+    FEMixtureSurface& surface = surfaces()[side];
     for (int i = 0; i < surface.Nodes(); ++i) {
-      if (!is_fixed(surface.Node(i), dofs_.displacements(side))) return Motion::possible;
+      if (!is_fixed(surface.Node(i), dofs().displacements(side))) return Motion::possible;
     }
   }
   return Motion::impossible;
 }
 
-bool ContactSetup::decide_traction(const BoundContact& contact) {
+bool ContactSetup::decide_traction() {
   // Only the boundary conditions of the present step determine whether a node can move in it. After a restart, the
   // materials have not been read yet.
   if (fields_at_contact_.empty()) {
@@ -281,11 +282,11 @@ bool ContactSetup::decide_traction(const BoundContact& contact) {
       friction_ = friction_of_model(*found);
     }
   }
-  const Exchange exchange = decide_exchange(parameters_.effects, fields_at_contact_, motion(), friction_);
-  log_.errors(exchange.complaints);
-  if (exchange.effects.traction != contact.core().effects().traction)
-    contact.core().exchange_traction(exchange.effects.traction);
+  const Exchange exchange = decide_exchange(parameters().effects, fields_at_contact_, motion(), friction_);
+  log().errors(exchange.complaints);
+  if (exchange.effects.traction != contact_.core().effects().traction)
+    contact_.core().exchange_traction(exchange.effects.traction);
   if (std::exchange(summary_, exchange.summary) != exchange.summary)
-    log_.line("sliding-mixture \"" + log_.name() + "\" exchanges " + exchange.summary);
+    log().line("sliding-mixture \"" + log().name() + "\" exchanges " + exchange.summary);
   return exchange.complaints.empty();
 }

@@ -20,9 +20,9 @@ bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLo
 /// Sets up a sliding contact.
 class ContactSetup {
  public:
-  ContactSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters,
-               const AmbientConcentrations& ambient, const ContactLog& log)
-      : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), ambient_(ambient), log_(log) {}
+  /// Keeps references to all arguments.
+  ContactSetup(FEModel& fem, BoundContact& contact, const AmbientConcentrations& ambient)
+      : fem_(fem), contact_(contact), ambient_(ambient) {}
 
   // The next functions log the faults that they find, and return true if there are none.
   bool check_parameters() const;
@@ -31,23 +31,28 @@ class ContactSetup {
   bool check_mesh_adaptors() const;
 
   /// Makes the core from the materials. If that is impossible, logs the reason and returns false.
-  bool build(BoundContact& contact);
+  bool build();
   /// Reads the materials again, for automatic penalties.
-  void update_properties(const BoundContact& contact) const;
+  void update_properties() const;
   /// Finds the nodes that cannot move, once FEBio has numbered the equations of the present analysis step.
-  void find_immovable_nodes(const BoundContact& contact) const;
+  void find_immovable_nodes() const;
   /// Sets penalties and tolerances to their values at the present time. `reduction`: reduction of automatic traction
   /// penalties.
-  void update_laws(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction);
+  void update_laws(const mixture_contact::ReducedPenalty& reduction);
   /// Calls update_laws() if all values of load curves are valid. Otherwise it logs the invalid ones and returns false.
-  bool follow_load_curves(const BoundContact& contact, const mixture_contact::ReducedPenalty& reduction);
+  bool follow_load_curves(const mixture_contact::ReducedPenalty& reduction);
   /// True if reduced penalties have an effect on this contact.
   bool has_reducible_penalty() const;
   /// Disables the traction if no node can move in the present analysis step. Returns true if the requested effects
   /// exist in this step.
-  bool decide_traction(const BoundContact& contact);
+  bool decide_traction();
 
  private:
+  const ContactParameters& parameters() const { return contact_.parameters(); }
+  const DofMap& dofs() const { return contact_.dofs(); }
+  const ContactLog& log() const { return contact_.log(); }
+  ContactSurfaces& surfaces() const { return contact_.surfaces(); }
+
   bool has_sound_values() const;
   bool have_no_inner_facets() const;
   /// The materials behind the facets. Rigid bodies that face only rigid bodies get a substitute stiffness.
@@ -58,18 +63,15 @@ class ContactSetup {
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
   /// True if an automatic penalty has no element on whose stiffness it can be based.
   bool lacks_stiffness(const FacetMaterials& materials) const;
-  bool has_penalty(const BoundContact& contact) const;
-  bool can_have_multipliers(const BoundContact& contact) const;
+  bool has_penalty() const;
+  bool can_have_multipliers() const;
   Motion motion() const;
   /// The kind of the present step's solver, for the traction penalty.
   SolverKind solver_kind();
 
   FEModel& fem_;
-  ContactSurfaces& surfaces_;
-  DofMap& dofs_;
-  const ContactParameters& parameters_;
+  BoundContact& contact_;
   const AmbientConcentrations& ambient_;
-  const ContactLog& log_;
   std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides permit
   FrictionRequest friction_;                       ///< friction by the parameters and materials
   std::optional<double> crossing_;                 ///< longest_crossing() of the materials [s]; not known until needed

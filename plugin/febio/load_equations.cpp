@@ -12,7 +12,7 @@ namespace {
 
 /// The order of the loads of a surface's nodes.
 MultiplierLayout layout(const ContactInterface& core, LoadEquations::Side surface) {
-  return {core.mesh(surface).nodes, core.effects().scalar_fields(), core.effects().traction};
+  return {core.mesh(surface).nodes, core.effects()};
 }
 
 }  // namespace

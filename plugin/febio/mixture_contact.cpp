@@ -47,9 +47,9 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       surfaces_(*fem, *this),
       dofs_(*fem, surfaces_),
       bound_(surfaces_, dofs_, parameters_, log_),
-      setup_(*fem, surfaces_, dofs_, parameters_, properties_.ambient, log_),
-      assembly_(bound_, surfaces_, dofs_, loads_),
-      output_(bound_, surfaces_, log_) {
+      setup_(*fem, bound_, properties_.ambient),
+      assembly_(bound_, loads_),
+      output_(bound_) {
   // For any enforcement by the user, FEBio has to call Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
@@ -79,7 +79,7 @@ bool FEMixtureContact::Init() {
     if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
   const bool sound = setup_.check_surfaces() && take_shell_bottoms(surfaces_, parameters_, log_) &&
-                     setup_.check_mesh_adaptors() && setup_.build(bound_) && setup_.check_ambient();
+                     setup_.check_mesh_adaptors() && setup_.build() && setup_.check_ambient();
   surfaces_.take_change();
   return sound;
 }
@@ -98,8 +98,8 @@ void FEMixtureContact::find_self_contact() {
 }
 
 int FEMixtureContact::InitEquations(int first) {
-  may_run_ = setup_.decide_traction(bound_);
-  setup_.find_immovable_nodes(bound_);
+  may_run_ = setup_.decide_traction();
+  setup_.find_immovable_nodes();
   assembly_.forget_matrix();
   dofs_.number_multipliers(first);
   const int multipliers = indexing::as_int(multiplier_layout(core()).size());
@@ -120,7 +120,7 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
 void FEMixtureContact::follow_surfaces() {
   const NumberedState before = bound_.numbered_state();
   const bool is_same_mesh = bound_.nodes_of_mesh() == GetFEModel()->GetMesh().Nodes();
-  if (!setup_.check_surfaces() || !setup_.build(bound_)) log_.end_run();
+  if (!setup_.check_surfaces() || !setup_.build()) log_.end_run();
   if (is_same_mesh) bound_.go_on_from(before);
   log_.line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
             std::to_string(surfaces_[Side::primary].Elements()) + " and " +
@@ -140,8 +140,8 @@ void FEMixtureContact::Activate() {
     relocated_ = true;
   }
   if (has_changed) follow_surfaces();
-  setup_.update_laws(bound_, model_->penalty_reduction());
-  setup_.update_properties(bound_);
+  setup_.update_laws(model_->penalty_reduction());
+  setup_.update_properties();
   if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
   judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), log_);
   model_->activate(*this);
@@ -158,16 +158,16 @@ void FEMixtureContact::Deactivate() {
 
 void FEMixtureContact::PrepStep() {
   read_properties();
-  setup_.find_immovable_nodes(bound_);  // the surfaces may have changed since FEBio numbered the equations
-  if (!may_run_ || !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
-  if (reads_properties_again(parameters_, core().effects())) setup_.update_properties(bound_);
+  setup_.find_immovable_nodes();  // the surfaces may have changed since FEBio numbered the equations
+  if (!may_run_ || !setup_.follow_load_curves(model_->penalty_reduction())) log_.end_run();
+  if (reads_properties_again(parameters_, core().effects())) setup_.update_properties();
   model_->prepare_step(*this);
 }
 
 void FEMixtureContact::Update() {
   read_properties();
   // FEBio does not prepare contacts for a step if its solver is not of Newton's kind.
-  if (!model_->solver().is_newton() && !setup_.follow_load_curves(bound_, model_->penalty_reduction())) log_.end_run();
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(model_->penalty_reduction())) log_.end_run();
   model_->steps().evaluate(&bound_);
 }
 

@@ -1,5 +1,6 @@
 #include "node_equations.h"
 
+#include "bound_contact.h"
 #include "contact/base/parallel.h"
 #include "contact/interface/multipliers.h"
 #include "solver/solver.h"
@@ -34,10 +35,10 @@ void fill_multipliers(const ContactInterface& core, int first, const Patch& patc
 
 }  // namespace
 
-NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const ContactInterface& core)
-    : NodeEquations(dofs, surfaces, core.effects(),
-                    [&core, &dofs](const Patch& patch, int node, std::vector<int>& ids) {
-                      fill_multipliers(core, dofs.first_multiplier(), patch, node, ids);
+NodeEquations::NodeEquations(const BoundContact& contact)
+    : NodeEquations(contact.dofs(), contact.surfaces(), contact.core().effects(),
+                    [&contact](const Patch& patch, int node, std::vector<int>& ids) {
+                      fill_multipliers(contact.core(), contact.dofs().first_multiplier(), patch, node, ids);
                     }) {}
 
 NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const Effects& effects,
@@ -54,10 +55,9 @@ NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side
   std::vector<int> field_dofs;
   for (int k = 0; k < fields; ++k) field_dofs.push_back(dofs_.field(side, effects_, k));
   const int count = surface.Nodes();
-  Surface found{&surface, IndexedVector<int>(count), Eigen::MatrixXi(Surface::displacements + fields, count)};
+  Surface found{&surface, Eigen::MatrixXi(Surface::displacements + fields, count)};
   in_parallel(count, [&](Index i) {
     const FENode& node = surface.Node(indexing::as_int(i));
-    found.body[i] = node.m_rid;
     const std::array<int, 3> displacements = equations_at(node, dofs_.displacements(side, node));
     std::copy(displacements.begin(), displacements.end(), found.equations.col(i).begin());
     for (int k = 0; k < fields; ++k)
@@ -173,14 +173,6 @@ PerSide<Matrix3Xd> NodeEquations::displacements(const std::vector<double>& incre
 bool NodeEquations::is_rigid(const Location& at, Index n) const {
   const Side side = n < at.patch.primary.count() ? at.first : other(at.first);
   return of_[side].is_rigid(at.patch.node(n));
-}
-
-PerSide<NodeFlags> NodeEquations::rigid() const {
-  PerSide<NodeFlags> found;
-  for (const Side side : both_sides) {
-    for (const int body : of_[side].body) found[side].push_back(body >= 0);
-  }
-  return found;
 }
 
 bool NodeEquations::are_rigid(const Location& at) const {

@@ -10,6 +10,8 @@
 #include <functional>
 #include <vector>
 
+class BoundContact;
+
 /// Looks up equations of local vectors.
 class NodeEquations {
  public:
@@ -22,7 +24,7 @@ class NodeEquations {
   /// Keeps references. `fill_multipliers`: used for patches with multipliers.
   NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::Effects& effects,
                 FillMultipliers fill_multipliers);
-  NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::ContactInterface& core);
+  explicit NodeEquations(const BoundContact& contact);
 
   /// The nodes of the mesh to which the blocks of a local vector belong.
   std::vector<int> nodes(const Location& at) const;
@@ -43,17 +45,14 @@ class NodeEquations {
   bool are_rigid(const Location& at) const;
   /// True if the n-th node of a local vector belongs to a rigid body.
   bool is_rigid(const Location& at, mixture_contact::Index n) const;
-  /// Flags of the nodes that belong to rigid bodies.
-  mixture_contact::PerSide<mixture_contact::NodeFlags> rigid() const;
 
  private:
   /// Equations of the nodes of one surface.
   struct Surface {
     FEMixtureSurface* febio = nullptr;
-    mixture_contact::IndexedVector<int> body;  ///< rigid body of each node; negative if it belongs to none
-    Eigen::MatrixXi equations;                 ///< shape (displacements and fields, nodes)
+    Eigen::MatrixXi equations;  ///< shape (displacements and fields, nodes)
 
-    bool is_rigid(int node) const { return body[node] >= 0; }
+    bool is_rigid(int node) const { return febio->Node(node).m_rid >= 0; }
     int mesh_node(int node) const { return febio->NodeIndex(node); }
     int displacement(int node, mixture_contact::Index i) const { return equations(i, node); }
     int field(int node, int field) const { return equations(displacements + field, node); }

@@ -21,7 +21,11 @@ class UndecidedNodes {
  public:
   /// Keeps a reference to the assembly.
   UndecidedNodes(const Assembly& assembly, bool may_change, double dt)
-      : assembly_(assembly), dt_(dt), held_(assembly.conditions(dt)), opened_(nearing_nodes(core())) {
+      : assembly_(assembly), dt_(dt), held_(assembly.conditions(dt)) {
+    for (const Side side : both_sides) opened_[side] = NodeFlags(core().mesh(side).nodes, false);
+    for_each_correctable(core(), [&](Side side, const HeldLinearisation& held) {
+      for (const int node : held.nearing()) opened_[side][node] = true;
+    });
     if (may_change) loads_ = assembly.undecided_loads(dt);
   }
 
@@ -41,7 +45,11 @@ class UndecidedNodes {
   /// Opens and closes nodes by the tractions of a solution. Returns true if any node has changed.
   bool follow(const newton::Answer& answer) {
     if (!are_any()) return false;
-    PerSide<NodeFlags> now = opening_nodes(core(), tractions(answer), opened_);
+    const PerSide<VectorXd> answered = tractions(answer);
+    PerSide<NodeFlags> now = opened_;
+    for_each_correctable(core(), [&](Side side, const HeldLinearisation& held) {
+      now[side] = held.opening(answered[side], opened_[side]);
+    });
     const bool changed = now != opened_;
     opened_ = std::move(now);
     return changed;
@@ -49,17 +57,26 @@ class UndecidedNodes {
   /// Finds nodes that overlap in a solution, and closes them. Returns true if there are any.
   bool find_more(const newton::Answer& answer) {
     if (!are_any()) return false;
-    const PerSide<NodeFlags> found = find_nearing_nodes(core(), assembly_.displacements(answer.x),
-                                                        assembly_.contact().fields());
-    if (std::none_of(found.begin(), found.end(), any)) return false;
-    for (const Side side : both_sides)
-      std::transform(found[side].begin(), found[side].end(), opened_[side].begin(), opened_[side].begin(),
-                     std::logical_or<>());
+    const PerSide<Matrix3Xd> displacements = assembly_.displacements(answer.x);
+    const PerSide<SurfaceFields> fields = assembly_.contact().fields();
+    bool are_any = false;
+    for_each_correctable(core(), [&](Side side, HeldLinearisation& held) {
+      const TaskClock timed = core().measurements().clock(Task::stiffness);
+      const NodeFlags found = held.find_nearing(seen_from(side, displacements), seen_from(side, fields));
+      are_any = are_any || any(found);
+      std::transform(found.begin(), found.end(), opened_[side].begin(), opened_[side].begin(), std::logical_or<>());
+    });
+    if (!are_any) return false;
     loads_ = assembly_.undecided_loads(dt_);
     return follow(answer);
   }
   /// Begins the iteration of the contact with the predicted status of the nodes.
-  void begin_iteration() const { open_nodes(core(), opened_, assembly_.contact().fields()); }
+  void begin_iteration() const {
+    const TaskClock timed = core().measurements().clock(Task::stiffness);
+    const PerSide<SurfaceFields> fields = assembly_.contact().fields();
+    for_each_moving(
+        core(), [&](Side side, MovingGeometry& moving) { moving.held().open(opened_[side], seen_from(side, fields)); });
+  }
 
  private:
   ContactInterface& core() const { return assembly_.contact().core(); }
@@ -116,7 +133,12 @@ newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
 }
 
 bool settle(const SettledModel& model, newton::KeptMatrix& matrix) {
-  const auto may_change = [](ContactInModel* contact) { return may_decide(contact->bound().core()); };
+  const auto may_change = [](ContactInModel* contact) {
+    bool found = false;
+    for_each_correctable(contact->bound().core(),
+                         [&](Side /*side*/, const HeldLinearisation& held) { found = found || held.may_decide(); });
+    return found;
+  };
   if (std::none_of(model.contacts.begin(), model.contacts.end(), may_change)) return false;
   std::vector<UndecidedNodes> nodes;
   for (ContactInModel* contact : model.contacts)

@@ -1,14 +1,28 @@
 #include "contact_steps.h"
 
+#include "contact/interface/corrections.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace mixture_contact {
+
+bool SteppedContact::keeps_matrix() { return serves_again(core(), fields()); }
+bool SteppedContact::correct() { return mixture_contact::correct(core(), fields()); }
+
+bool SteppedContact::finds_overlap() {
+  const UndetectedPenetration undetected = core().check_penetration(fields());
+  if (undetected.nodes == 0) return false;
+  if (!std::exchange(said_overlap_, true)) report(undetected);
+  return !is_solution();
+}
 
 void ContactSteps::activate(SteppedContact& contact) {
   reset_rounds();
   contact.project();
   contact.end_iterations();
   contact.begin_iteration();
+  contact.note_beginning();
 }
 
 void ContactSteps::reset_rounds() {
@@ -31,9 +45,8 @@ Changed ContactSteps::Changes::kind() const {
 /// Decides which nodes are in contact at this state, and which have ambient values.
 ContactSteps::Changes ContactSteps::begin_iteration() {
   bool loads = false;
-  const bool linearises = model_.matrix_use() != MatrixUse::none;
   for (SteppedContact* contact : model_.active_contacts()) {
-    if (linearises) {
+    if (linearises()) {
       loads = contact->begin_iteration() || loads;
     } else {
       contact->hold_loads();
@@ -57,6 +70,9 @@ void ContactSteps::evaluate(const void* told) {
       for (SteppedContact* contact : contacts) contact->end_iterations();
       helpers_.begin_iterations();
       changed = begin_iteration().values;
+      for (SteppedContact* contact : contacts) {
+        if (linearises()) contact->note_beginning();
+      }
       break;
     case Stepper::Evaluation::go_on:
       changed = begin_iteration().values;
@@ -71,7 +87,7 @@ void ContactSteps::evaluate(const void* told) {
 void ContactSteps::try_increment(const void* told, const std::vector<double>& increment) {
   if (!trials_.opens(told)) return;
   // A method without matrices begins no iteration at an accepted state: each evaluation uses the true laws.
-  if (model_.matrix_use() != MatrixUse::none) stepper_.try_state();
+  if (linearises()) stepper_.try_state();
   for (SteppedContact* contact : model_.active_contacts()) contact->project();
   helpers_.try_increment(increment);
 }

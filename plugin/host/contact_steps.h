@@ -4,7 +4,7 @@
 /// with the call; the first call of each event acts for all contacts.
 #pragma once
 
-#include "contact/base/polymorphic.h"
+#include "contact/interface/interface.h"
 #include "solver/helper.h"
 #include "stepper.h"
 
@@ -12,32 +12,46 @@
 
 namespace mixture_contact {
 
-/// A contact at the present state of its model, as ContactSteps uses it.
+/// A contact at the present state of its model, as ContactSteps uses it. A host provides the core and the state; the
+/// actions of the iterations are those of the core.
 class SteppedContact : public Polymorphic {
  public:
+  virtual ContactInterface& core() const = 0;
+  /// Positions and fields at the nodes in the present state.
+  virtual PerSide<SurfaceFields> fields() const = 0;
   /// Projects the integration points at the present positions.
   virtual void project() = 0;
   /// Prepares the contact for a new time step.
-  virtual void prepare_step() = 0;
+  virtual void prepare_step() {}
+  /// Notes the status of the nodes with which the iterations have begun.
+  virtual void note_beginning() {}
+
   /// Removes the linearisation of the iterations.
-  virtual void end_iterations() = 0;
+  virtual void end_iterations() { core().end_iterations(); }
   /// Begins a Newton iteration. Returns true if loads have changed.
-  virtual bool begin_iteration() = 0;
+  virtual bool begin_iteration() { return core().begin_iteration(fields()); }
   /// Sets the loads of the true laws at this state, without linearisation, for an evaluation that no matrix follows.
-  virtual void hold_loads() = 0;
+  virtual void hold_loads() { mixture_contact::hold_loads(core(), fields()); }
   /// Moves the linearisation point of the iteration to the present state.
-  virtual void linearise_at() = 0;
+  virtual void linearise_at() { core().linearise_at(fields()); }
   /// True if the next iteration can use the matrix of this one, with its linearisation corrected by correct().
-  virtual bool keeps_matrix() = 0;
+  virtual bool keeps_matrix();
   /// Begins an iteration with the present linearisation, after gaps and jumps have been set to their true values.
   /// Returns true if loads change.
-  virtual bool correct() = 0;
+  virtual bool correct();
   /// True if the state is a solution of the contact laws.
-  virtual bool is_solution() = 0;
+  virtual bool is_solution() { return core().is_solution(fields()); }
   /// True if the state has edge nodes that have to be tried once more; it is not a solution then.
-  virtual bool reconsiders_edge() = 0;
+  virtual bool reconsiders_edge() { return mixture_contact::reconsiders_edge(core(), fields()); }
   /// True if overlaps that are detected at a converged state change the loads.
-  virtual bool finds_overlap() = 0;
+  virtual bool finds_overlap();
+
+ protected:
+  /// Writes an overlap that is detected for the first time in a run to the log.
+  virtual void report(const UndetectedPenetration& undetected) = 0;
+
+ private:
+  bool said_overlap_ = false;  ///< true if an overlap has been reported in this run
 };
 
 /// The matrices of the host's solution method.
@@ -131,6 +145,8 @@ class ContactSteps {
     Changed kind() const;
   };
   Changes begin_iteration();
+  /// True if iterations linearise the contact, for a matrix.
+  bool linearises() const { return model_.matrix_use() != MatrixUse::none; }
   void evaluate_again();
   void bring_residual_up_to_date();
   void start_at_prediction();

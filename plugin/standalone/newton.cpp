@@ -1,12 +1,10 @@
 #include "newton.h"
 
-#include "contact/interface/corrections.h"
 #include "error.h"
 #include "host/augmentation.h"
 #include "host/warnings.h"
 
 #include <cmath>
-#include <utility>
 
 namespace standalone {
 
@@ -24,33 +22,23 @@ class ContactAtState : public mixture_contact::SteppedContact {
   ContactAtState(const Problem& problem, Contact& contact, Log& log)
       : problem_(problem), contact_(contact), log_(log) {}
 
+  mixture_contact::ContactInterface& core() const override { return contact_.core(); }
+  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const override {
+    return contact_.fields(problem_.values());
+  }
   void project() override { contact_.project(problem_.values()); }
-  void prepare_step() override {}
-  void end_iterations() override { contact_.core().end_iterations(); }
-  bool begin_iteration() override { return contact_.core().begin_iteration(fields()); }
-  void hold_loads() override { mixture_contact::hold_loads(contact_.core(), fields()); }
-  void linearise_at() override { contact_.core().linearise_at(fields()); }
-  bool keeps_matrix() override { return mixture_contact::serves_again(contact_.core(), fields()); }
-  bool correct() override { return mixture_contact::correct(contact_.core(), fields()); }
-  bool is_solution() override { return contact_.core().is_solution(fields()); }
-  bool reconsiders_edge() override { return mixture_contact::reconsiders_edge(contact_.core(), fields()); }
-  bool finds_overlap() override {
-    const mixture_contact::UndetectedPenetration undetected = contact_.core().check_penetration(fields());
-    if (undetected.nodes == 0) return false;
+
+ protected:
+  void report(const mixture_contact::UndetectedPenetration& undetected) override {
     const ContactDefinition& definition = contact_.definition();
     const auto& surfaces = definition.surfaces;
-    if (!std::exchange(said_overlap_, true))
-      log_.print("%s\n", penetration_line(definition.name, surfaces.front(), surfaces.back(), undetected).c_str());
-    return !is_solution();
+    log_.print("%s\n", penetration_line(definition.name, surfaces.front(), surfaces.back(), undetected).c_str());
   }
 
  private:
-  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const { return contact_.fields(problem_.values()); }
-
   const Problem& problem_;
   Contact& contact_;
   Log& log_;
-  bool said_overlap_ = false;
 };
 
 }  // namespace

@@ -127,10 +127,8 @@ struct RandomContact {
   Vector2d xi;
   double weight = 0.7;
   double dt = 0.3;
-  double lambda = -0.4;
-  double penalty = 2.5;
-  VectorXd flux_lambda;
-  VectorXd flux_penalty;
+  double traction = -0.4;
+  VectorXd flux;
 
   RandomContact(FacetType one, FacetType two, Index fields, std::mt19937& random)
       : primary(one), secondary(two), layout(node_count(one), node_count(two), fields) {
@@ -151,8 +149,7 @@ struct RandomContact {
       for (Index k = 0; k < fields; ++k) unknowns[layout.scalar(node, k)] = noise(1);
     }
     xi = parametric_centre(one) + Vector2d(noise(0.2), noise(0.2));
-    flux_lambda = VectorXd::NullaryExpr(fields, [&] { return noise(1); });
-    flux_penalty = VectorXd::NullaryExpr(fields, [&] { return 1.5 + noise(1); });
+    flux = VectorXd::NullaryExpr(fields, [&] { return noise(1); });
   }
 
   FacetCoordinates coordinates(const VectorXd& q, bool first) const {
@@ -187,25 +184,16 @@ struct RandomContact {
                             shape_functions(secondary, projection(q).eta), coordinates(q, false));
   }
 
-  PointLoads loads(const PointKinematics& point, const VectorXd& q) const {
+  PointLoads loads() const {
     PointLoads result;
-    const LawValue trial = augmented(lambda, penalty, point.gap);
-    result.traction = NormalCondition::load(trial, Unilateral().begins(trial, 0));
+    result.traction = traction;
+    result.flux = flux;
     result.weight = weight;
     result.time_increment = dt;
-    result.flux.resize(layout.scalar_fields());
-    const PairVector h = point.jump_weights();
-    const PairFields values = fields(q);
-    for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      result.flux[k] = augmented(flux_lambda[k], flux_penalty[k], h.dot(values.col(k)));
-    }
     return result;
   }
 
-  VectorXd residual(const VectorXd& q) const {
-    const PointKinematics point = kinematics(q);
-    return residual(point, loads(point, q));
-  }
+  VectorXd residual(const VectorXd& q) const { return residual(kinematics(q), loads()); }
 
   VectorXd residual(const PointKinematics& point, const PointLoads& loads) const {
     VectorXd sum = VectorXd::Zero(layout.size());
@@ -213,27 +201,24 @@ struct RandomContact {
     return sum;
   }
 
-  MatrixXd tangent(const VectorXd& q) const {
-    const PointKinematics point = kinematics(q);
-    return tangent(point, loads(point, q), q);
-  }
+  MatrixXd tangent(const VectorXd& q) const { return tangent(kinematics(q), loads()); }
 
   /// The complete tangent, assembled from the blocks of all effects.
-  MatrixXd tangent(const PointKinematics& point, const PointLoads& loads, const VectorXd& q) const {
+  MatrixXd tangent(const PointKinematics& point, const PointLoads& loads) const {
     const KinematicVariations vary = kinematic_variations(point);
     const LocalLayout solid(layout.primary_nodes(), layout.nodes() - layout.primary_nodes(), 0);
     const LocalLayout one_field(layout.primary_nodes(), layout.nodes() - layout.primary_nodes(), 1);
     const std::vector<Index> displacements = entries(solid, -1);
     MatrixXd all = MatrixXd::Zero(layout.size(), layout.size());
-    MatrixXd traction = MatrixXd::Zero(solid.size(), solid.size());
-    add_traction_tangent(point, vary, loads, traction);
-    all(displacements, displacements) = traction;
+    MatrixXd forces = MatrixXd::Zero(solid.size(), solid.size());
+    add_traction_tangent(point, vary, loads, forces);
+    all(displacements, displacements) = forces;
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       std::vector<Index> rows;
       for (Index node = 0; node < layout.nodes(); ++node) rows.push_back(layout.scalar(node, k));
-      MatrixXd flux = MatrixXd::Zero(layout.nodes(), one_field.size());
-      add_flux_tangent(point, vary, loads, k, fields(q).col(k), one_field, flux);
-      all(rows, entries(one_field, k)) = flux;
+      MatrixXd flows = MatrixXd::Zero(layout.nodes(), one_field.size());
+      add_flux_tangent(point, vary, loads, k, one_field, flows);
+      all(rows, entries(one_field, k)) = flows;
     }
     return all;
   }

@@ -87,9 +87,7 @@ ContactStatus ActiveSet::moved(const NodalLoads& last, const NodalGaps& now) con
 }
 
 ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool counts) {
-  if (!changes_.empty()) {
-    updated = with_first_repeated(before, std::move(updated), changes_, options_.most_joint_changes);
-  }
+  updated = with_first_repeated(before, std::move(updated), changes_, options_.most_joint_changes);
   if (counts && waits(before, updated)) updated = before;
   ContactStatus status{updated, updated};
   if (counts) count(before, updated);
@@ -198,12 +196,12 @@ ActiveSet::FrictionBands ActiveSet::friction_bands(const NodalLoads& predicted) 
 }
 
 double ActiveSet::friction_band(const FrictionBands& bands, Index node) const {
-  const bool at_edge = !slip_changes_.empty() && slip_changes_[node] > options_.most_status_changes;
+  const bool at_edge = slip_changes_[node] > options_.most_status_changes;
   return at_edge ? bands.at_edge : bands.elsewhere;
 }
 
 bool ActiveSet::turns_round(const NodalLoads& predicted, Index node) const {
-  const bool first = slip_changes_.empty() || slip_changes_[node] == 0;
+  const bool first = slip_changes_[node] == 0;
   const double by_friction = 2 * laws_.friction_penalty(node) / laws_.penalties().stiffness[node];
   return first && slides_back(predicted, node) &&
          predicted.friction.trial.col(node).norm() > (1 + by_friction) * predicted.friction.bound[node];
@@ -213,9 +211,7 @@ FrictionStatus ActiveSet::next_friction(const NodalLoads& predicted, const Nodal
   const FrictionStatus own = own_friction(now);
   const NodeFlags before = with_known(own.slips, predicted.slips, predicted, now);
   NodeFlags slips = with_known(own.slips, updated_slips(predicted), predicted, now);
-  if (!slip_changes_.empty()) {
-    slips = with_first_repeated(before, std::move(slips), slip_changes_, options_.most_joint_changes);
-  }
+  slips = with_first_repeated(before, std::move(slips), slip_changes_, options_.most_joint_changes);
   for (Index node = 0; node < slips.count(); ++node) {
     if (slips[node] != before[node] || (slips[node] && slides_back(predicted, node))) ++slip_changes_[node];
   }

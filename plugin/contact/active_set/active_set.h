@@ -84,7 +84,9 @@ struct ActiveSetOptions {
 class ActiveSet {
  public:
   /// Keeps a reference to the laws.
-  explicit ActiveSet(const NodalLaws& laws, ActiveSetOptions options = {}) : laws_(laws), options_(options) {}
+  explicit ActiveSet(const NodalLaws& laws, ActiveSetOptions options = {}) : laws_(laws), options_(options) {
+    start_counting();
+  }
 
   const ActiveSetOptions& options() const { return options_; }
 

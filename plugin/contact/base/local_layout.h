@@ -1,6 +1,7 @@
 /// The order of the unknowns in a local vector: displacements, pressures, concentrations and multipliers.
 #pragma once
 
+#include "base/effects.h"
 #include "base/types.h"
 
 namespace mixture_contact {
@@ -51,8 +52,8 @@ class LocalLayout {
 /// those of the fields.
 class MultiplierLayout {
  public:
-  MultiplierLayout(Index nodes, Index scalar_fields, bool tractions = true)
-      : nodes_(nodes), scalar_fields_(scalar_fields), tractions_(tractions ? 1 : 0) {}
+  MultiplierLayout(Index nodes, const Effects& effects)
+      : nodes_(nodes), scalar_fields_(effects.scalar_fields()), tractions_(effects.traction ? 1 : 0) {}
 
   Index size() const { return nodes_ * per_node(); }
   bool has_tractions() const { return tractions_ > 0; }

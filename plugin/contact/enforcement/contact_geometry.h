@@ -21,7 +21,7 @@ struct Couplings {
   UseRows rows;  ///< couplings of held geometric parts; if empty, they are passed to `patch`
 };
 
-class HeldLinearisation;
+class MovingGeometry;
 
 /// The evaluation of a pass whose surfaces move (MovingGeometry) or are fixed (FixedGeometry). It can be combined with
 /// any EnforcementMethod.
@@ -30,35 +30,12 @@ class ContactGeometry : public Polymorphic {
   /// Updates the data that depend on the pairs after a projection at positions x.
   virtual void update(const FacingPositions& x) = 0;
 
-  /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and linearises their
-  /// gaps and jumps. Both are kept until the next call: in the iteration and its line search, loads are linear in the
-  /// unknowns and no status changes.
-  ///
-  /// Returns true if the loads at this state differ from those before the call.
-  virtual bool begin_iteration(const FacingFields& fields) = 0;
-  /// Begins at a state without a tangent, as in explicit dynamics: decides which nodes are in contact by the true laws,
-  /// and keeps the loads of this state for residuals.
-  virtual void hold_loads(const FacingFields& fields) = 0;
-  /// Moves the linearisation point of an iteration to another state, for which project() has been called. Gaps and
-  /// jumps are measured and linearised there; status and predicted loads stay the same. Nodes that face nothing in the
-  /// new state open, and nodes that overlap in it close.
-  virtual void linearise_at(const FacingFields& fields) = 0;
-  /// Begins an iteration with all nodes open, when a second pass is added within a step.
-  virtual void start_inactive(const FacingFields& fields) = 0;
   /// Notes that the multipliers have been augmented.
-  virtual void take_multipliers() = 0;
-  /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
+  virtual void take_multipliers() {}
+  /// Ends the iterations, such that the laws apply to the true gaps and jumps.
   virtual void end_iterations() = 0;
-  /// Discards all data of past iterations, such that later ones depend on the state only.
-  virtual void forget_past() = 0;
-  /// Lets edge nodes of a solution be decided again (see ActiveSet::reconsiders_edge()). Returns true if the solution
-  /// has such nodes.
-  virtual bool reconsiders_edge(const FacingFields& fields) = 0;
-  /// True if the linearised loads of a state agree with those of the true laws within a fraction. A state found with
-  /// constant status and linearised gaps is a solution only then.
-  virtual bool is_solution(const FacingFields& fields) const = 0;
-  /// The linearisation of the iterations; null for fixed surfaces, whose gaps are linear by themselves.
-  virtual HeldLinearisation* held() = 0;
+  /// The iterations of surfaces that move; null for fixed surfaces, whose loads are linear by themselves.
+  virtual MovingGeometry* moving() { return nullptr; }
 
   /// The loads of the laws at the nodes.
   virtual NodalLoads loads(const FacingFields& fields) const = 0;

@@ -43,6 +43,8 @@ class EnforcementMethod : public Polymorphic {
   virtual NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const = 0;
   /// True if predicted loads may differ from those of the true averages.
   virtual bool predicts() const = 0;
+  /// True if predicted loads are linear in gaps and jumps, which excludes friction and unknown multipliers.
+  virtual bool is_linear() const = 0;
   /// Weights of the equations that the method adds at nodes, which give them the size of the residual of their field.
   virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
   /// Calls `use` with the couplings of the loads at the nodes of a patch that come from the variation of averages.

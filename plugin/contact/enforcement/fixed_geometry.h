@@ -13,16 +13,7 @@ class FixedGeometry : public ContactGeometry {
   FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method);
 
   void update(const FacingPositions& x) override;
-  bool begin_iteration(const FacingFields& /*fields*/) override { return false; }
-  void hold_loads(const FacingFields& /*fields*/) override {}
-  void linearise_at(const FacingFields& /*fields*/) override {}
-  void start_inactive(const FacingFields& /*fields*/) override {}
-  void take_multipliers() override {}
   void end_iterations() override;
-  void forget_past() override {}
-  bool reconsiders_edge(const FacingFields& /*fields*/) override { return false; }
-  bool is_solution(const FacingFields& /*fields*/) const override { return true; }
-  HeldLinearisation* held() override { return nullptr; }
 
   NodalLoads loads(const FacingFields& fields) const override;
   NodeFlags flux_coupled() const override { return fixed_.flux_coupled; }

@@ -14,8 +14,9 @@ double error_of(const NodalLoads& predicted, const NodalLoads& now) {
   return (predicted.traction - now.traction).cwiseAbs().maxCoeff();
 }
 
-bool has_any(const IndexedVector<int>& nodes, const NodeFlags& among) {
-  return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return among[node]; });
+bool is_any_on(const RigidParts& rigid, const IndexedVector<int>& nodes) {
+  return !rigid.body.empty() &&
+         std::any_of(nodes.begin(), nodes.end(), [&](int node) { return rigid.body[node] >= 0; });
 }
 
 }  // namespace
@@ -31,21 +32,18 @@ void HeldLinearisation::ended() {
   change_ = {};
   last_error_ = 0;
   has_matrix_ = false;
-  matrix_ = {};
+  has_loads_ = false;
 }
 
-void HeldLinearisation::has_matrix(HostMatrix matrix) {
+void HeldLinearisation::has_matrix(bool has_loads) {
   has_matrix_ = point_ != nullptr;
-  matrix_ = std::move(matrix);
-  matrix_.has_loads = matrix_.has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
+  has_loads_ = has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
   added_.fill(laws_.nodes(), false);
 }
 
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
-bool HeldLinearisation::is_correctable() const {
-  return has_matrix_ && point_->is_linearised() && method_.predicts() && are_linear(laws_);
-}
+bool HeldLinearisation::is_correctable() const { return has_matrix_ && point_->is_linearised() && method_.is_linear(); }
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields, ContactStatus status) const {
   NodalLoads now = space_.averages(space_.gaps(), fields, std::move(status));
@@ -64,7 +62,7 @@ double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& n
 }
 
 bool HeldLinearisation::may_take(const NodeFlags& status, Index most) const {
-  if (!matrix_.has_loads) return false;
+  if (!has_loads_) return false;
   const auto around = space_.facing().around(unknown_of(status));
   Index changed = 0;
   for (Index node = 0; node < status.count(); ++node) {
@@ -84,7 +82,7 @@ NodeFlags HeldLinearisation::unknown_of(const NodeFlags& status) const {
 }
 
 bool HeldLinearisation::is_of_rigid_bodies(const Patch& patch) const {
-  return has_any(patch.primary, matrix_.rigid) || has_any(patch.secondary, matrix_.rigid_opposite);
+  return is_any_on(point_->primary.rigid, patch.primary) || is_any_on(point_->secondary.rigid, patch.secondary);
 }
 
 bool HeldLinearisation::serves(const FacingFields& fields) const {
@@ -99,11 +97,15 @@ bool HeldLinearisation::serves(const FacingFields& fields) const {
 }
 
 bool HeldLinearisation::correct(const FacingFields& fields) {
+  if (!is_correctable()) {
+    keep();
+    return false;
+  }
   const NodalLoads predicted = method_.predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields, point_->loads.status());
   last_error_ = error_of(predicted, now);
   begins_ = false;
-  const bool adds = matrix_.has_loads && change_status(predicted, now, fields);
+  const bool adds = has_loads_ && change_status(predicted, now, fields);
   point_->loads.gap += now.gap - (adds ? method_.predicted_loads(*point_, fields) : predicted).gap;
   point_->loads.jump += now.jump - predicted.jump;
   method_.load(point_->loads);
@@ -136,9 +138,7 @@ void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingField
   }
 }
 
-bool HeldLinearisation::may_decide() const {
-  return is_correctable() && matrix_.has_loads && active_set_.may_predict();
-}
+bool HeldLinearisation::may_decide() const { return is_correctable() && has_loads_ && active_set_.may_predict(); }
 
 NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, const FacingFields& fields) {
   if (!may_decide() || begins_) return NodeFlags(laws_.nodes(), false);
@@ -196,7 +196,7 @@ void HeldLinearisation::open(const NodeFlags& nodes, const FacingFields& fields)
 
 IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added) const {
   IndexedVector<int> nodes;
-  if (!matrix_.has_loads) return nodes;
+  if (!has_loads_) return nodes;
   for (Index node = 0; node < point_->nodes.count(); ++node) {
     const bool is_one = !point_->nodes[node].empty() && point_->loads.in_contact[node] == in_contact;
     if (is_one && added_[node] == is_added) nodes.push_back(static_cast<int>(node));
@@ -214,7 +214,7 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
 void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
                                     const AddVector& add) const {
   // The works of nodes in contact are known, except those of friction and the fluxes of nodes that have opened.
-  const bool has_works = point_->is_linearised() && are_linear(laws_) && laws_.effects().nodal_fields() == 0;
+  const bool has_works = point_->is_linearised() && method_.is_linear() && laws_.effects().nodal_fields() == 0;
   if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);
   linear_residual(point_->nodes, change.loads, fields, dt, add);
   const NodeFlags others = unknown_of(change.loads.in_contact);

@@ -8,16 +8,6 @@
 
 namespace mixture_contact {
 
-/// Properties of the host's matrix on which the reuse of a linearisation depends.
-struct HostMatrix {
-  /// True if nodal loads, except those on rigid bodies, are unknowns of the matrix, such that nodes can be released and
-  /// added.
-  bool has_loads = false;
-  /// Nodes of the primary surface on rigid bodies, whose displacements have no equations of their own.
-  NodeFlags rigid;
-  NodeFlags rigid_opposite;  ///< nodes of the secondary surface on rigid bodies
-};
-
 /// The loads from the linearisation of a pass: at the start of its iteration, and corrected for later iterations with
 /// the same matrix.
 class HeldLinearisation {
@@ -47,13 +37,12 @@ class HeldLinearisation {
   bool serves(const FacingFields& fields) const;
   /// Begins an iteration with the corrected linearisation: gaps and jumps have their true values and keep their
   /// variations. Added nodes have the variations of this state. Returns true if loads change or differ from those of
-  /// the matrix.
+  /// the matrix. If the linearisation cannot be corrected, no load changes.
   bool correct(const FacingFields& fields);
-  /// Begins an iteration without a correction, in which no load changes.
-  void keep() { change_ = Nothing(); }
 
-  /// Notes that the host has assembled its matrix with this linearisation.
-  void has_matrix(HostMatrix matrix);
+  /// Notes that the host has assembled its matrix with this linearisation. `has_loads`: true if nodal loads, except
+  /// those on rigid bodies, are unknowns of the matrix, such that nodes can be released and added.
+  void has_matrix(bool has_loads);
   /// Nodes whose loads are in the matrix but which are open: their loads do not depend on their gaps.
   IndexedVector<int> released() const { return linearised(false, false); }
   /// Nodes in contact whose loads are not in the matrix.
@@ -110,9 +99,12 @@ class HeldLinearisation {
   /// True if `status` differs from that of the matrix at no more than `most` nodes, all of which may be released or
   /// added.
   bool may_take(const NodeFlags& status, Index most) const;
+  /// Begins an iteration in which no load changes.
+  void keep() { change_ = Nothing(); }
   /// Nodes in contact in `status` that have no linearisation.
   NodeFlags unknown_of(const NodeFlags& status) const;
-  /// True if some nodes of a patch are on rigid bodies, such that its load cannot be an unknown of the matrix.
+  /// True if some nodes of a patch are on rigid bodies, which have no equations of their own, such that its load cannot
+  /// be an unknown of the matrix.
   bool is_of_rigid_bodies(const Patch& patch) const;
   /// The status with these nodes open, and all other nearing() nodes in contact.
   NodeFlags status_without(const NodeFlags& open) const;
@@ -134,7 +126,7 @@ class HeldLinearisation {
   /// Error of the tractions at the last correction [MPa]; 0 if there was none with this status.
   double last_error_ = 0;
   bool has_matrix_ = false;  ///< true if the host's matrix belongs to this linearisation
-  HostMatrix matrix_;        ///< properties of the host's matrix
+  bool has_loads_ = false;   ///< true if loads are unknowns of the host's matrix
   NodeFlags added_;          ///< per node: true if it was linearised after the matrix was assembled
 };
 

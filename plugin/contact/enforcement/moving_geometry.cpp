@@ -90,7 +90,7 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   // multipliers exclude reuse, because their rows include all nodes, and friction does, because slips are measured from
   // the start of each step.
   const bool begins = !point_ && method_.predicts();
-  const bool reuses = begins && are_linear(laws_);
+  const bool reuses = begins && method_.is_linear();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
   if (reuses) {
@@ -107,12 +107,6 @@ const GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) cons
   if (!geometric_ || !point_) return nullptr;
   const bool is_there = point_->primary.position == x.primary && point_->secondary.position == x.secondary;
   return is_there ? &*geometric_ : nullptr;
-}
-
-IndexedVector<NodeLinearisation> MovingGeometry::linearised(const NodalLoads& loads, const FacingFields& fields) const {
-  IndexedVector<NodeLinearisation> nodes = linearise(space_, loads, fields);
-  vary_trials(laws_, loads, nodes);
-  return nodes;
 }
 
 NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps& gaps) const {
@@ -277,7 +271,10 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
   const NodalLoads now = loads(fields);
   IndexedVector<NodeLinearisation> present;
   const bool is_linearised = point_ && point_->is_linearised();
-  if (!is_linearised) present = linearised(now, fields);
+  if (!is_linearised) {
+    present = linearise(space_, now, fields);
+    vary_trials(laws_, now, present);
+  }
   const VectorXd weights = equation_weights(now, fields.primary.position);
   node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {

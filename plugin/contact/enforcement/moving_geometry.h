@@ -16,18 +16,36 @@ class MovingGeometry : public ContactGeometry {
   MovingGeometry(MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set, const EnforcementMethod& method)
       : space_(space), laws_(laws), active_set_(active_set), method_(method), held_(space, laws, active_set, method) {}
 
+  /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and linearises their
+  /// gaps and jumps. Both are kept until the next call: in the iteration and its line search, loads are linear in the
+  /// unknowns and no status changes.
+  ///
+  /// Returns true if the loads at this state differ from those before the call.
+  bool begin_iteration(const FacingFields& fields);
+  /// Begins at a state without a tangent, as in explicit dynamics: decides which nodes are in contact by the true laws,
+  /// and keeps the loads of this state for residuals.
+  void hold_loads(const FacingFields& fields);
+  /// Moves the linearisation point of an iteration to another state, for which project() has been called. Gaps and
+  /// jumps are measured and linearised there; status and predicted loads stay the same. Nodes that face nothing in the
+  /// new state open, and nodes that overlap in it close.
+  void linearise_at(const FacingFields& fields);
+  /// Begins an iteration with all nodes open, when a second pass is added within a step.
+  void start_inactive(const FacingFields& fields);
+  /// Discards all data of past iterations, such that later ones depend on the state only.
+  void forget_past();
+  /// Lets edge nodes of a solution be decided again (see ActiveSet::reconsiders_edge()). Returns true if the solution
+  /// has such nodes.
+  bool reconsiders_edge(const FacingFields& fields);
+  /// True if the linearised loads of a state agree with those of the true laws within a fraction. A state found with
+  /// constant status and linearised gaps is a solution only then.
+  bool is_solution(const FacingFields& fields) const;
+  /// The linearisation of the iterations.
+  HeldLinearisation& held() { return held_; }
+
   void update(const FacingPositions& x) override;
-  bool begin_iteration(const FacingFields& fields) override;
-  void hold_loads(const FacingFields& fields) override;
-  void linearise_at(const FacingFields& fields) override;
-  void start_inactive(const FacingFields& fields) override;
   void take_multipliers() override { augmented_ = true; }
   void end_iterations() override;
-  void forget_past() override;
-  bool reconsiders_edge(const FacingFields& fields) override;
-  bool is_solution(const FacingFields& fields) const override;
-  HeldLinearisation* held() override { return &held_; }
-
+  MovingGeometry* moving() override { return this; }
   NodalLoads loads(const FacingFields& fields) const override;
   NodeFlags flux_coupled() const override;
   void residual(const FacingFields& fields, double dt, const AddVector& add) const override;
@@ -48,11 +66,9 @@ class MovingGeometry : public ContactGeometry {
   void hold(LinearisationPoint point, const FacingFields& fields);
   /// The geometric part of the tangent if it was computed at these positions; else null.
   const GeometricPart* geometric_at(const FacingPositions& x) const;
-  /// The linearised averages at a state.
-  IndexedVector<NodeLinearisation> linearised(const NodalLoads& loads, const FacingFields& fields) const;
   /// The averages at a state, with the status with which iterations begin.
   NodalLoads initial_averages(const FacingFields& fields) const;
-  /// The contact status with which an iteration begins (see ContactGeometry::begin_iteration()). `now`: present loads.
+  /// The contact status with which an iteration begins (see begin_iteration()). `now`: present loads.
   NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
   /// Sets the loads in the geometric part of the tangent for an iteration. `before`: loads before its start.
   void set_geometric_loads(LinearisationPoint& next, const NodalLoads& before);

@@ -16,6 +16,7 @@ class PenaltyMethod : public EnforcementMethod {
   void load(NodalLoads& loads) const override { laws().load(loads, true); }
   NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
   bool predicts() const override { return true; }
+  bool is_linear() const override { return true; }
   VectorXd equation_weights(const NodalLoads& /*loads*/, const Matrix3Xd& /*x1*/) const override { return {}; }
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override { use(patch); }
   void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
@@ -40,6 +41,7 @@ class FrictionPenalty final : public PenaltyMethod {
  public:
   using PenaltyMethod::PenaltyMethod;
 
+  bool is_linear() const override { return false; }
   bool has_load_blocks() const override { return false; }
 
  protected:

@@ -27,9 +27,7 @@ MatrixXd alone(const LocalLayout& layout, double value) {
 
 }  // namespace
 
-MultiplierLayout multiplier_layout(const NodalLaws& laws) {
-  return {laws.nodes(), laws.effects().scalar_fields(), laws.effects().traction};
-}
+MultiplierLayout multiplier_layout(const NodalLaws& laws) { return {laws.nodes(), laws.effects()}; }
 
 VectorXd scaled_multipliers(const NodalLaws& laws) {
   const MultiplierLayout layout = multiplier_layout(laws);

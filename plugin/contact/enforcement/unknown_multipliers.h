@@ -16,6 +16,7 @@ class UnknownMultipliers : public EnforcementMethod {
   void load(NodalLoads& loads) const override { laws().load(loads, false); }
   NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
   bool predicts() const override { return false; }
+  bool is_linear() const override { return false; }
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const override;
   /// Couples each node with its own multipliers only, because loads are unknowns that do not depend on displacements
   /// and fields.

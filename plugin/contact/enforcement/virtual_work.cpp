@@ -100,7 +100,7 @@ void set_flux(const VaryingPair& varying, Index k, FluxTangent& flux) {
   const LocalLayout layout = flux.block.columns.layout();
   values.setZero(layout.nodes(), layout.size());
   for (const auto& [point, vary] : varying.points)
-    add_flux_tangent(point.kinematics, vary, point.loads, k, point.values.col(k), layout, values);
+    add_flux_tangent(point.kinematics, vary, point.loads, k, layout, values);
 }
 
 /// Sets `of_field` to the nodes of a patch with one of its fields.

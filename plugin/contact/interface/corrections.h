@@ -1,6 +1,7 @@
 /// Functions of a contact for a host that keeps its matrix for several iterations.
 #pragma once
 
+#include "enforcement/moving_geometry.h"
 #include "interface/interface.h"
 
 namespace mixture_contact {
@@ -19,41 +20,16 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
                      const ContactInterface::AddResidual& add);
 
 /// Notes that the host has assembled a matrix with the present linearisations. `has_loads`: per side, true if load
-/// blocks are unknowns of the matrix, such that nodes can be released and added. `rigid`: nodes of rigid bodies, which
-/// have no equations of their own and cannot be released or added.
-void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads, const PerSide<NodeFlags>& rigid);
+/// blocks are unknowns of the matrix, such that nodes can be released and added.
+void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads);
 
-/// True if the status of nodes may be predicted with the matrix (see HeldLinearisation::may_decide()).
-bool may_decide(const ContactInterface& contact);
-/// Linearises open nodes that overlap after these displacements of the surfaces [mm] (see
-/// HeldLinearisation::find_nearing()). Returns the newly linearised nodes.
-PerSide<NodeFlags> find_nearing_nodes(ContactInterface& contact, const PerSide<Matrix3Xd>& displacements,
-                                      const PerSide<SurfaceFields>& fields);
-/// Open nodes that are linearised but not in the matrix (see HeldLinearisation::nearing()).
-PerSide<NodeFlags> nearing_nodes(const ContactInterface& contact);
-/// Calls `add` with the tangents of the loads that nearing_nodes() would have in contact.
-void nearing_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
-/// Tractions of the nodes whose status may be predicted with the matrix [MPa]; NaN at all other nodes (see
-/// HeldLinearisation::undecided()).
-PerSide<VectorXd> undecided_tractions(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
-/// The nodes that open at the start of the iteration. `tractions`: of the nodes whose status is predicted, at the end
-/// of the iteration [MPa]. `opened`: nodes that were assumed open for these tractions (see
-/// HeldLinearisation::opening()).
-PerSide<NodeFlags> opening_nodes(const ContactInterface& contact, const PerSide<VectorXd>& tractions,
-                                 const PerSide<NodeFlags>& opened);
-/// Begins an iteration with these nodes open, and the other nodes whose status is predicted closed (see
-/// HeldLinearisation::open()).
-void open_nodes(ContactInterface& contact, const PerSide<NodeFlags>& nodes, const PerSide<SurfaceFields>& fields);
-
-/// A node whose load is in the matrix but which is open.
-struct ReleasedNode {
-  Side side;
-  int node;
-};
-/// The released nodes of all passes.
-std::vector<ReleasedNode> released_nodes(const ContactInterface& contact);
-
-/// Calls `add` with the tangents of the loads of nodes in contact that are not in the matrix.
-void added_loads(const ContactInterface& contact, double dt, const ContactInterface::AddLoadTangent& add);
+/// Calls use(side, linearisation) for each pass whose linearisation can be corrected. `side`: the surface over which it
+/// integrates.
+template <class Use>
+void for_each_correctable(const ContactInterface& contact, const Use& use) {
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
+    if (moving.held().is_correctable()) use(side, moving.held());
+  });
+}
 
 }  // namespace mixture_contact

@@ -1,6 +1,7 @@
 #include "interface/interface.h"
 
 #include "base/parallel.h"
+#include "enforcement/moving_geometry.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -50,6 +51,8 @@ void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reac
   pass.reach = reach;
   pass.integral->project(seen_from(pass.side, position), reach);
 }
+
+bool moves(const SidedPass& pass) { return pass.integral->geometry().moving() != nullptr; }
 
 /// The nodes of the other surface that face contact in the present step.
 NodeFlags facing_in_step(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
@@ -118,7 +121,6 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (accepted_[Side::primary].cols() == 0) accepted_ = start_of_step(settings_, mesh_, position_);
   for (SidedPass& pass : passes_) {
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
-    if (!effects_.traction) pass.faced.reset();
     if (search_all) {
       find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
     } else {
@@ -130,7 +132,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   for (SidedPass& pass : passes_) {
-    if (pass.faced && effects_.traction) {
+    if (pass.faced && moves(pass)) {
       const NodeFlags& in_contact = pass.integral->flux_coupled();
       pass.faced_before = facing_contact(pass, facing_nodes(pass, mesh_, position_, in_contact, settings_));
     }
@@ -162,22 +164,21 @@ void ContactInterface::exchange_traction(bool traction) {
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
-  for (const SidedPass& pass : passes_) {
-    const bool pass_changed = pass.integral->geometry().begin_iteration(seen_from(pass.side, fields));
-    changed = changed || pass_changed;
-    timed.take(pass.integral->space().effect_times(), thread_count());
-  }
+  for_each_moving(*this, [&](Side side, MovingGeometry& moving) {
+    changed = moving.begin_iteration(seen_from(side, fields)) || changed;
+  });
+  for (const SidedPass& pass : passes_) timed.take(pass.integral->space().effect_times(), thread_count());
   measurements_.note(memory_of(passes_));
   return changed;
 }
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
-  for (const SidedPass& pass : passes_) pass.integral->geometry().linearise_at(seen_from(pass.side, fields));
+  for_each_moving(*this, [&](Side side, MovingGeometry& moving) { moving.linearise_at(seen_from(side, fields)); });
 }
 
 void ContactInterface::end_iterations() {
   for (SidedPass& pass : passes_) {
-    if (effects_.traction) pass.faced.reset();
+    pass.faced.reset();
     pass.integral->geometry().end_iterations();
     if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
   }
@@ -185,8 +186,9 @@ void ContactInterface::end_iterations() {
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  const bool agrees = std::all_of(passes_.begin(), passes_.end(), [&](const SidedPass& pass) {
-    return pass.integral->geometry().is_solution(seen_from(pass.side, fields));
+  bool agrees = true;
+  for_each_moving(*this, [&](Side side, const MovingGeometry& moving) {
+    agrees = agrees && moving.is_solution(seen_from(side, fields));
   });
   return agrees && faces_as_held(*this) &&
          (settings_.enforcement != Enforcement::lagrange_multipliers ||
@@ -266,7 +268,7 @@ PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
   {
     const TaskClock timed = measurements_.clock(Task::stiffness);
     for (SidedPass& pass : passes_) {
-      if (pass.faced && !effects_.traction) continue;
+      if (pass.faced && !moves(pass)) continue;
       hold_facing(pass, facing_in_step(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
     }
   }
@@ -291,7 +293,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
   restrict_second_pass();
   find_points(passes_.back(), position_, reach_in_step(settings_, accepted_, position_));
-  if (joins) passes_.back().integral->geometry().start_inactive(seen_from(Side::secondary, fields));
+  if (joins) passes_.back().integral->geometry().moving()->start_inactive(seen_from(Side::secondary, fields));
   return found;
 }
 
@@ -386,9 +388,8 @@ void ContactInterface::update_laws(const Settings& settings) {
 }
 
 bool faces_as_held(const ContactInterface& contact) {
-  if (!contact.effects_.traction) return true;
   return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
-    if (!pass.faced) return true;
+    if (!pass.faced || !moves(pass)) return true;
     NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                       contact.settings_);
     return next_facing(pass, std::move(facing)) == *pass.faced;
@@ -396,12 +397,13 @@ bool faces_as_held(const ContactInterface& contact) {
 }
 
 bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
-  if (!contact.effects_.traction) return false;
   const TaskClock timed = contact.measurements().clock(Task::augmentation);
   bool any = false;
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
+    any = moving.reconsiders_edge(seen_from(side, fields)) || any;
+  });
   for (SidedPass& pass : contact.passes_) {
-    any = pass.integral->geometry().reconsiders_edge(seen_from(pass.side, fields)) || any;
-    if (!pass.faced) continue;
+    if (!pass.faced || !moves(pass)) continue;
     const NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                             contact.settings_);
     any = reconsiders_facing(pass, facing) || any;
@@ -430,12 +432,11 @@ void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
 
 void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::residual);
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass)
-    contact.pass(pass).geometry().hold_loads(seen_from(both_sides.at(pass), fields));
+  for_each_moving(contact, [&](Side side, MovingGeometry& moving) { moving.hold_loads(seen_from(side, fields)); });
 }
 
 void forget_past(ContactInterface& contact) {
-  for (std::size_t pass = 0; pass < contact.passes(); ++pass) contact.pass(pass).geometry().forget_past();
+  for_each_moving(contact, [](Side /*side*/, MovingGeometry& moving) { moving.forget_past(); });
 }
 
 }  // namespace mixture_contact

@@ -46,10 +46,10 @@ class ContactInterface {
   void exchange_traction(bool traction);
 
   /// Begins a Newton iteration at a state, for whose positions project() has been called (see
-  /// ContactGeometry::begin_iteration). Returns true if the loads at this state differ from those before the call, so
+  /// MovingGeometry::begin_iteration). Returns true if the loads at this state differ from those before the call, so
   /// that the residual has to be evaluated again.
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
-  /// Moves the linearisation point of an iteration to another state (see ContactGeometry::linearise_at), after
+  /// Moves the linearisation point of an iteration to another state (see MovingGeometry::linearise_at), after
   /// project().
   void linearise_at(const PerSide<SurfaceFields>& fields);
   /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
@@ -147,6 +147,14 @@ class ContactInterface {
   mutable Measurements measurements_;
 };
 
+/// Calls use(side, geometry) for each pass whose surfaces move. `side`: the surface over which it integrates.
+template <class Use>
+void for_each_moving(const ContactInterface& contact, const Use& use) {
+  for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
+    if (MovingGeometry* const moving = contact.pass(pass).geometry().moving()) use(both_sides.at(pass), *moving);
+  }
+}
+
 /// True if the nodes that face contact are the same as at the start of the iteration.
 bool faces_as_held(const ContactInterface& contact);
 
@@ -164,7 +172,7 @@ void join(ContactInterface& contact, PerSide<NodeFlags> nodes);
 void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 /// Decides status and loads at a state for a residual without a tangent, for explicit dynamics (see
-/// ContactGeometry::hold_loads). project() has to be called before.
+/// MovingGeometry::hold_loads). project() has to be called before.
 void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 /// Discards the data of past iterations and steps, such that later iterations depend on the state only. A continued run

@@ -4,7 +4,7 @@ namespace mixture_contact {
 
 MultiplierLayout multiplier_layout(const ContactInterface& contact) {
   const ContactPass& pass = contact.pass(0);
-  return pass.space().has_unknown_multipliers() ? multiplier_layout(pass.laws()) : MultiplierLayout(0, 0);
+  return pass.space().has_unknown_multipliers() ? multiplier_layout(pass.laws()) : MultiplierLayout(0, {});
 }
 
 VectorXd unknown_multipliers(const ContactInterface& contact) { return scaled_multipliers(contact.pass(0).laws()); }

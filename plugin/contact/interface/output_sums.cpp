@@ -28,9 +28,9 @@ void set_values(const PointContact& point, const OutputRows& rows, VectorXd& val
   values.setZero(rows.count());
   values[OutputRows::area] = 1;
   values[OutputRows::gap] = point.kinematics.gap;
-  values[OutputRows::pressure] = -point.loads.traction.value;
+  values[OutputRows::pressure] = -point.loads.traction;
   for (Index k = 0; k < point.fields.count(); ++k) {
-    values[rows.flux() + point.fields[k]] = point.loads.flux[k].value;
+    values[rows.flux() + point.fields[k]] = point.loads.flux[k];
     values[rows.jump() + point.fields[k]] = h.dot(point.values.col(k));
   }
 }
@@ -44,7 +44,7 @@ void set_by_points(const LoadedState& state, const FacetPair& pair, OutputSums& 
   for_each_loaded_point(state.space, pair, state.loads, state.fields, 1.0, [&](const PointContact& point) {
     set_values(point, rows, values);
     if (!state.sliding.empty()) set_sliding(point, facet, state.sliding, rows, values);
-    sums.force += point.loads.weight * point.loads.traction.value * point.kinematics.area_vector;
+    sums.force += point.loads.weight * point.loads.traction * point.kinematics.area_vector;
     sums.integrated += values.lazyProduct(shares_of_area(point, point.kinematics.primary_shape).transpose());
     sums.facing += values.lazyProduct(shares_of_area(point, point.kinematics.secondary_shape).transpose());
   });

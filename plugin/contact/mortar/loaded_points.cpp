@@ -80,10 +80,10 @@ FacetLoads facet_loads(const Facet& facet, const NodalLoads& loads, const Indexe
 
 PointLoads loads_at(const FacetLoads& nodal, const FacetVector& psi) {
   PointLoads here;
-  here.traction = {psi.dot(nodal.traction), 0.0};
+  here.traction = psi.dot(nodal.traction);
   for (Index a = 0; a < nodal.friction.cols(); ++a) here.friction += psi[a] * nodal.friction.col(a);
   here.flux.resize(nodal.flux.count());
-  for (Index k = 0; k < nodal.flux.count(); ++k) here.flux[k] = {psi.dot(nodal.flux[k]), 0.0};
+  for (Index k = 0; k < nodal.flux.count(); ++k) here.flux[k] = psi.dot(nodal.flux[k]);
   return here;
 }
 

@@ -22,8 +22,6 @@ struct PointContact {
   FacetGradient psi_gradient;  ///< gradients psi_a,alpha of these functions
   IndexedVector<int> fields;   ///< exchanged scalar fields at the point, by their indices in Effects
   PairFields values;           ///< values of these fields at the nodes of the pair
-  /// Loads interpolated from the nodes; their derivatives are 0, because the derivatives of nodal averages are added
-  /// separately.
   PointLoads loads;
 };
 

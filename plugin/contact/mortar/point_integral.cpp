@@ -53,17 +53,13 @@ void add_friction_force_variation(const PointKinematics& point, const KinematicV
   }
 }
 
-/// The variation d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da], with dt_n = t_n' dg + t_n,alpha dxi_alpha. It has
-/// columns for the primary nodes only if the force depends on no other node.
+/// The variation d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da], with dt_n = t_n,alpha dxi_alpha. It has columns for the
+/// primary nodes only if the point does not move on its facet.
 PairVariation<3> normal_force_variation(const PointKinematics& point, const KinematicVariations& vary,
                                         const PointLoads& loads) {
-  const LawValue& traction = loads.traction;
-  const Index turning = 3 * point.primary_nodes();
-  if (!vary.wanders() && traction.derivative == 0)
-    return loads.weight * traction.value * vary.area_vector.leftCols(turning);
-  PairVariation<1> dtn = traction.derivative * vary.gap;
-  if (vary.wanders()) dtn += loads.traction_slope.transpose() * vary.xi + traction.value * vary.weight;
-  return loads.weight * (point.area_vector.lazyProduct(dtn) + traction.value * vary.area_vector);
+  if (!vary.wanders()) return loads.weight * loads.traction * vary.area_vector.leftCols(3 * point.primary_nodes());
+  const PairVariation<1> dtn = loads.traction_slope.transpose() * vary.xi + loads.traction * vary.weight;
+  return loads.weight * (point.area_vector.lazyProduct(dtn) + loads.traction * vary.area_vector);
 }
 
 }  // namespace
@@ -71,13 +67,12 @@ PairVariation<3> normal_force_variation(const PointKinematics& point, const Kine
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout,
                   VectorXd& residual) {
   const PairVector h = point.jump_weights();
-  Vector3d force = loads.weight * loads.traction.value * point.area_vector;  // t1 da1
-  if (loads.has_friction()) force += friction_force(point, loads);
-  const double flux_weight = loads.weight * loads.time_increment * point.area;  // dt da1
+  const Vector3d force = loads.weight * loads.traction * point.area_vector + friction_force(point, loads);  // t1 da1
+  const double flux_weight = loads.weight * loads.time_increment * point.area;                              // dt da1
   for (Index node = 0; node < layout.nodes(); ++node) {
     residual.segment<3>(layout.displacement(node, 0)) += h[node] * force;
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      residual[layout.scalar(node, k)] += flux_weight * loads.flux[k].value * h[node];
+      residual[layout.scalar(node, k)] += flux_weight * loads.flux[k] * h[node];
     }
   }
 }
@@ -85,7 +80,7 @@ void add_residual(const PointKinematics& point, const PointLoads& loads, const L
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent) {
   PairVariation<3> dforce = normal_force_variation(point, vary, loads);
-  Vector3d force = loads.weight * loads.traction.value * point.area_vector;
+  Vector3d force = loads.weight * loads.traction * point.area_vector;
   if (loads.has_friction()) {
     add_friction_force_variation(point, vary, loads, dforce);
     force += friction_force(point, loads);
@@ -94,21 +89,18 @@ void add_traction_tangent(const PointKinematics& point, const KinematicVariation
 }
 
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
-                      const PairVector& values, const LocalLayout& layout, MatrixXd& tangent) {
-  // d[w dt |a| q h_a] = w dt [ h_a (q (d|a| + |a| dw/w) + |a| dq) + |a| q dh_a ],  dq = q' djump + q,alpha dxi_alpha
+                      const LocalLayout& layout, MatrixXd& tangent) {
+  // d[w dt |a| q h_a] = w dt [ h_a (q (d|a| + |a| dw/w) + |a| dq) + |a| q dh_a ],  dq = q,alpha dxi_alpha
   const PairVector h = point.jump_weights();
-  const LawValue& flux = loads.flux[k];
+  const double flux = loads.flux[k];
   const double weight = loads.weight * loads.time_increment;
-  PairVariation<1> dq = flux.derivative * jump_variation(point, vary, values);
-  if (vary.wanders()) dq += loads.flux_slope.row(k) * vary.xi + flux.value * vary.weight;
-  const PairVariation<1> dflux = weight * (flux.value * vary.area + point.area * dq);
+  PairVariation<1> change = flux * vary.area;
+  if (vary.wanders()) change += point.area * (loads.flux_slope.row(k) * vary.xi + flux * vary.weight);
+  const PairVariation<1> dflux = weight * change;
   for (Index node = 0; node < layout.nodes(); ++node) {
-    const PairVariation<1> moved = h[node] * dflux +
-                                   weight * point.area * flux.value * weight_variation(point, vary, node);
-    for (Index column = 0; column < layout.nodes(); ++column) {
+    const PairVariation<1> moved = h[node] * dflux + weight * point.area * flux * weight_variation(point, vary, node);
+    for (Index column = 0; column < layout.nodes(); ++column)
       tangent.block<1, 3>(node, layout.displacement(column, 0)) += moved.segment<3>(3 * column);
-      tangent(node, layout.scalar(column, 0)) += weight * point.area * flux.derivative * h[column] * h[node];
-    }
   }
 }
 

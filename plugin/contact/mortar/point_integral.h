@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/local_layout.h"
-#include "conditions/law_value.h"
 #include "geometry/kinematics.h"
 
 namespace mixture_contact {
@@ -10,11 +9,11 @@ namespace mixture_contact {
 /// Nodal values of the exchanged scalar fields on a pair of facets, one column per field, shape (n1 + n2, fields).
 using PairFields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_pair_nodes>;
 
-/// The loads at an integration point.
+/// The loads at an integration point, interpolated from the nodes of its primary facet.
 struct PointLoads {
-  LawValue traction{0.0, 0.0};        ///< normal traction t_n [MPa] and its derivative dt_n/dg
+  double traction = 0;                ///< normal traction t_n [MPa]
   Vector2d traction_slope{0.0, 0.0};  ///< derivatives dt_n/dxi_alpha; used if the point moves on the primary facet
-  Eigen::Array<LawValue, Eigen::Dynamic, 1> flux;  ///< flux q_n and its derivative dq_n/djump, per exchanged field
+  VectorXd flux;                      ///< flux q_n per exchanged field
   Eigen::MatrixX2d flux_slope;  ///< derivatives dq_n/dxi_alpha per exchanged field; empty if the point does not move
   Vector3d friction{0, 0, 0};   ///< friction traction t_T [MPa]
   /// Derivatives dt_T/dxi_alpha; used if the point moves on the primary facet.
@@ -32,16 +31,16 @@ struct PointLoads {
 /// each other. Rows of field k: w dt |a| q_k h_a [mm^3 or nmol], with h = (N1, -N2).
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
-/// Adds the exact derivative of the displacement rows of add_residual() with respect to the nodal positions, eq (2.6).
-/// It includes the changes of da1, of n1, of the projected position and of the interpolated tractions; nodal values of
-/// t_T are constant. Rows and columns contain displacements only.
+/// Adds the exact derivative of the displacement rows of add_residual() with respect to the nodal positions, eq (2.6),
+/// at constant loads of the nodes. It includes the changes of da1, of n1, of the projected position and of the
+/// interpolated tractions. Rows and columns contain displacements only.
 void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
                           MatrixXd& tangent);
 
-/// Adds the exact derivative of the residual rows of field k, one per node, with the nodal positions and with the nodal
-/// values of the field. The columns have the order of `layout`, which has one field.
+/// Adds the exact derivative of the residual rows of field k, one per node, with the nodal positions, at constant loads
+/// of the nodes. The columns have the order of `layout`.
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,
-                      const PairVector& values, const LocalLayout& layout, MatrixXd& tangent);
+                      const LocalLayout& layout, MatrixXd& tangent);
 
 /// Derivative of the jump h.phi of nodal values phi with the nodal positions: phi1,alpha dxi_alpha - phi2,beta
 /// deta_beta.

@@ -33,9 +33,9 @@ struct FlatContact {
   PointLoads loads(std::size_t number) const {
     const Vector3d psi = area_coordinates(places[number]);
     PointLoads here;
-    here.traction = {psi.dot(traction), 0.0};
+    here.traction = psi.dot(traction);
     here.flux.resize(1);
-    here.flux[field] = {psi.dot(flux), 0.0};
+    here.flux[field] = psi.dot(flux);
     here.flux_slope.setZero(1, 2);
     here.weight = weights[number];
     here.time_increment = 1;
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(tangents_are_those_of_the_points) {
     pair.for_each_point(pair.contact.unknowns, [&](std::size_t q, const PointKinematics& point) {
       const KinematicVariations vary = kinematic_variations(point);
       add_traction_tangent(point, vary, pair.loads(q), traction);
-      add_flux_tangent(point, vary, pair.loads(q), field, pair.values(), layout, flux);
+      add_flux_tangent(point, vary, pair.loads(q), field, layout, flux);
     });
     const MatrixXd by_displacements = flux(Eigen::all, pair.displacements());
     check_close(traction_tangent(flat_forces(pair.flat(), pair.variations(), pair.traction)), traction, rounding);

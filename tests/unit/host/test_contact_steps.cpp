@@ -24,6 +24,8 @@ using Notes = std::vector<std::string>;
 class FakeContact : public SteppedContact {
  public:
   FakeContact(std::string name, Notes& notes) : name_(std::move(name)), notes_(notes) {}
+  mixture_contact::ContactInterface& core() const override { throw std::logic_error("a fake has no core"); }
+  mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const override { return {}; }
   void project() override {}
   void prepare_step() override { note("prepare"); }
   void end_iterations() override { note("end"); }
@@ -47,6 +49,9 @@ class FakeContact : public SteppedContact {
   bool solution = true;
   bool at_edge = false;
   bool overlap = false;
+
+ protected:
+  void report(const mixture_contact::UndetectedPenetration& /*undetected*/) override {}
 
  private:
   void note(const std::string& what) { notes_.push_back(name_ + " " + what); }

@@ -317,7 +317,7 @@ PerSide<bool> on_both_sides(bool is_so) { return {{is_so, is_so}}; }
 struct MovedContact {
   MovedContact(Scene at, std::mt19937& random) : scene(std::move(at)), layout(scene), contact(scene.contact()) {
     contact->begin_iteration(scene.fields);
-    has_matrix(*contact, on_both_sides(false), scene.nowhere());
+    has_matrix(*contact, on_both_sides(false));
     start = scene.fields;
     scene.disturb(0.005, random);
     contact->project(scene.position());
@@ -412,12 +412,8 @@ struct TiltedContact {
     contact->project(scene.position());
   }
   NodalLoads loads() const { return contact->pass(0).nodal_loads(seen_from(Side::primary, scene.fields)); }
-  /// Nodes whose loads have to be added to the matrix.
-  std::vector<int> added() const {
-    std::vector<int> nodes;
-    added_loads(*contact, dt, [&](Side /*first*/, const LoadBlock& load) { nodes.push_back(load.place.node); });
-    return nodes;
-  }
+  HeldLinearisation& held() const { return contact->pass(0).geometry().moving()->held(); }
+  FacingFields fields() const { return seen_from(Side::primary, scene.fields); }
 
   Scene scene;
   PerSide<SurfaceFields> flat;
@@ -431,23 +427,23 @@ BOOST_AUTO_TEST_CASE(nodes_that_open_are_released_where_the_host_can_and_close_a
     TiltedContact tilted;
     ContactInterface& contact = *tilted.contact;
     contact.begin_iteration(tilted.scene.fields);
-    has_matrix(contact, on_both_sides(may_release), tilted.scene.nowhere());
+    has_matrix(contact, on_both_sides(may_release));
     tilted.tilt(much);
     BOOST_TEST(serves_again(contact, tilted.scene.fields) == may_release);
     if (!may_release) continue;
     correct(contact, tilted.scene.fields);
-    const std::vector<ReleasedNode> released = released_nodes(contact);
+    const IndexedVector<int> released = tilted.held().released();
     BOOST_TEST(!released.empty());
     const NodalLoads loads = tilted.loads();
-    for (const ReleasedNode& each : released) BOOST_TEST(loads.traction[each.node] == 0);
+    for (const int node : released) BOOST_TEST(loads.traction[node] == 0);
     BOOST_TEST(loads.traction.maxCoeff() <= 0);
     BOOST_TEST(contact.is_solution(tilted.scene.fields));
     BOOST_TEST(correct(contact, tilted.scene.fields));  // loads stay the same and have to be kept at zero again
     tilted.tilt(0);
     BOOST_TEST(serves_again(contact, tilted.scene.fields));
     correct(contact, tilted.scene.fields);
-    BOOST_TEST(released_nodes(contact).empty());
-    BOOST_TEST(tilted.added().empty());
+    BOOST_TEST(tilted.held().released().empty());
+    BOOST_TEST(tilted.held().added().empty());
   }
 }
 
@@ -472,37 +468,34 @@ BOOST_AUTO_TEST_CASE(what_elastic_nodes_that_open_and_close_change_of_the_residu
   BOOST_TEST(open[2] < open[1]);
 }
 
-/// The number of known values on both sides.
-Index known(const PerSide<VectorXd>& tractions) {
-  return tractions[Side::primary].array().isFinite().count() + tractions[Side::secondary].array().isFinite().count();
-}
+Index known(const VectorXd& values) { return values.array().isFinite().count(); }
 
 BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_that_they_pull) {
   TiltedContact tilted;
   ContactInterface& contact = *tilted.contact;
   contact.begin_iteration(tilted.scene.fields);
-  BOOST_TEST(known(undecided_tractions(contact, tilted.scene.fields)) == 0);  // there is no matrix yet
-  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
-  PerSide<VectorXd> tractions = undecided_tractions(contact, tilted.scene.fields);
+  BOOST_TEST(known(tilted.held().undecided(tilted.fields())) == 0);  // there is no matrix yet
+  has_matrix(contact, on_both_sides(true));
+  VectorXd answered = tilted.held().undecided(tilted.fields());
   const NodalLoads before = tilted.loads();
-  BOOST_TEST(known(tractions) == std::count(before.in_contact.begin(), before.in_contact.end(), true));
-  BOOST_TEST(tractions[Side::primary] == before.traction, boost::test_tools::per_element());
+  BOOST_TEST(known(answered) == std::count(before.in_contact.begin(), before.in_contact.end(), true));
+  BOOST_TEST(answered == before.traction, boost::test_tools::per_element());
 
-  VectorXd& answered = tractions[Side::primary];
   answered[0] = 1;
   answered[1] = std::numeric_limits<double>::quiet_NaN();  // the host does not know this value
   const double rounding_of_answers = 1e-9 * answered[2];
   answered[3] = -rounding_of_answers;
-  const PerSide<NodeFlags> opened = opening_nodes(contact, tractions, tilted.scene.nowhere());
-  NodeFlags expected(opened[Side::primary].count(), false);
+  const NodeFlags none = tilted.scene.nowhere()[Side::primary];
+  const NodeFlags opened = tilted.held().opening(answered, none);
+  NodeFlags expected = none;
   expected[0] = true;
-  BOOST_TEST((opened[Side::primary] == expected));
+  BOOST_TEST((opened == expected));
   answered[0] = -1;  // the node would overlap if it had opened
-  BOOST_TEST((opening_nodes(contact, tractions, opened) == tilted.scene.nowhere()));
+  BOOST_TEST((tilted.held().opening(answered, opened) == none));
 
   const GlobalLayout layout(tilted.scene);
   const VectorXd residual = assembled_residual(contact, layout, tilted.scene.fields, dt);
-  open_nodes(contact, opened, tilted.scene.fields);
+  tilted.held().open(opened, tilted.fields());
   const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
   BOOST_REQUIRE(change.has_value());
   const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
@@ -512,11 +505,9 @@ BOOST_AUTO_TEST_CASE(nodes_open_as_an_iteration_begins_where_its_matrix_answers_
   BOOST_TEST(loads.traction[0] == 0);
   loads.traction[0] = before.traction[0];
   BOOST_TEST(loads.traction == before.traction, boost::test_tools::per_element());
-  const std::vector<ReleasedNode> released = released_nodes(contact);
-  BOOST_REQUIRE(released.size() == 1U);
-  BOOST_TEST(released.front().node == 0);
+  BOOST_TEST((tilted.held().released() == IndexedVector<int>{0}));
 
-  open_nodes(contact, tilted.scene.nowhere(), tilted.scene.fields);
+  tilted.held().open(none, tilted.fields());
   BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);  // opened nodes count once
 }
 
@@ -528,41 +519,40 @@ BOOST_AUTO_TEST_CASE(nodes_close_as_an_iteration_begins_where_its_matrix_answers
   const NodeFlags before = tilted.loads().in_contact;
   PerSide<Matrix3Xd> back;
   for (const Side side : both_sides) back[side] = tilted.flat[side].position - tilted.scene.fields[side].position;
-  BOOST_TEST(!may_decide(contact));  // there is no matrix yet
-  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
-  BOOST_TEST(may_decide(contact));
-  // No nodes are found at the start of a step.
-  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));
+  const auto find_nearing = [&] { return tilted.held().find_nearing(seen_from(Side::primary, back), tilted.fields()); };
+  const NodeFlags none = tilted.scene.nowhere()[Side::primary];
+  BOOST_TEST(!tilted.held().may_decide());  // there is no matrix yet
+  has_matrix(contact, on_both_sides(true));
+  BOOST_TEST(tilted.held().may_decide());
+  BOOST_TEST((find_nearing() == none));  // no nodes are found at the start of a step
   contact.begin_iteration(tilted.scene.fields);
-  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  has_matrix(contact, on_both_sides(true));
 
-  const PerSide<NodeFlags> found = find_nearing_nodes(contact, back, tilted.scene.fields);
-  BOOST_TEST((nearing_nodes(contact) == found));
-  const NodeFlags& nearing = found[Side::primary];
+  const NodeFlags nearing = find_nearing();
   // All nodes of the flat surface.
   for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(nearing[node] == !before[node]);
-  BOOST_TEST((find_nearing_nodes(contact, back, tilted.scene.fields) == tilted.scene.nowhere()));  // no further node
-  const PerSide<VectorXd> tractions = undecided_tractions(contact, tilted.scene.fields);
+  for (const int node : tilted.held().nearing()) BOOST_TEST(nearing[node]);
+  BOOST_TEST((find_nearing() == none));  // no further node
+  const VectorXd tractions = tilted.held().undecided(tilted.fields());
   const NodalLaws& laws = contact.pass(0).laws();
   const NodalGaps gaps = contact.pass(0).space().gaps();
   for (Index node = 0; node < nearing.count(); ++node) {
-    if (nearing[node])
-      BOOST_TEST(std::abs(tractions[Side::primary][node] - laws.traction_penalty(node) * gaps.gap[node]) < rounding);
+    if (nearing[node]) BOOST_TEST(std::abs(tractions[node] - laws.traction_penalty(node) * gaps.gap[node]) < rounding);
   }
-  BOOST_TEST((opening_nodes(contact, tractions, found) == found));  // the nodes would be in tension
+  BOOST_TEST((tilted.held().opening(tractions, nearing) == nearing));  // the nodes would be in tension
 
   const GlobalLayout layout(tilted.scene);
   const VectorXd residual = assembled_residual(contact, layout, tilted.scene.fields, dt);
-  open_nodes(contact, found, tilted.scene.fields);
+  tilted.held().open(nearing, tilted.fields());
   BOOST_TEST(changed_residual(contact, layout, tilted.scene.fields).value().norm() == 0);
-  BOOST_TEST(tilted.added().empty());
-  open_nodes(contact, tilted.scene.nowhere(), tilted.scene.fields);
+  BOOST_TEST(tilted.held().added().empty());
+  tilted.held().open(none, tilted.fields());
   const std::optional<VectorXd> change = changed_residual(contact, layout, tilted.scene.fields);
   BOOST_REQUIRE(change.has_value());
   const VectorXd after = assembled_residual(contact, layout, tilted.scene.fields, dt);
   BOOST_TEST((residual + *change - after).norm() < rounding * residual.norm());
   BOOST_TEST(change->norm() > 1e-3 * residual.norm());
-  BOOST_TEST(tilted.added().size() == std::count(nearing.begin(), nearing.end(), true));
+  BOOST_TEST(tilted.held().added().count() == std::count(nearing.begin(), nearing.end(), true));
   tilted.tilt(0);
   const NodalLoads flat = tilted.loads();
   for (Index node = 0; node < nearing.count(); ++node) BOOST_TEST(flat.traction[node] < 0);
@@ -573,8 +563,12 @@ BOOST_AUTO_TEST_CASE(no_node_opens_as_an_iteration_begins_where_others_decide_wi
     Scene scene(facing_grids(FacetType::quad4, FacetType::quad4, 0.05, 3, 4), effects, settings);
     const auto contact = scene.contact();
     contact->begin_iteration(scene.fields);
-    has_matrix(*contact, on_both_sides(has_loads), scene.nowhere());
-    return known(undecided_tractions(*contact, scene.fields));
+    has_matrix(*contact, on_both_sides(has_loads));
+    Index undecided = 0;
+    for_each_correctable(*contact, [&](Side side, const HeldLinearisation& held) {
+      undecided += known(held.undecided(seen_from(side, scene.fields)));
+    });
+    return undecided;
   };
   const Settings plain = explicit_settings(3, 2, 5);
   Settings both = plain;
@@ -600,12 +594,12 @@ BOOST_AUTO_TEST_CASE(nodes_that_close_are_added_where_the_host_can_and_open_agai
     tilted.tilt(much);
     contact.begin_iteration(tilted.scene.fields);
     const NodeFlags before = tilted.loads().in_contact;
-    has_matrix(contact, on_both_sides(may_add), tilted.scene.nowhere());
+    has_matrix(contact, on_both_sides(may_add));
     tilted.tilt(0);
     BOOST_TEST(serves_again(contact, tilted.scene.fields) == may_add);
     if (!may_add) continue;
     BOOST_TEST(correct(contact, tilted.scene.fields));
-    const std::vector<int> added = tilted.added();
+    const IndexedVector<int> added = tilted.held().added();
     const NodalLoads loads = tilted.loads();
     const NodalGaps gaps = contact.pass(0).space().gaps();
     BOOST_TEST(!added.empty());
@@ -619,8 +613,8 @@ BOOST_AUTO_TEST_CASE(nodes_that_close_are_added_where_the_host_can_and_open_agai
     tilted.tilt(much);
     BOOST_TEST(serves_again(contact, tilted.scene.fields));
     correct(contact, tilted.scene.fields);
-    BOOST_TEST(tilted.added().empty());
-    BOOST_TEST(released_nodes(contact).empty());  // none of the nodes is in the matrix
+    BOOST_TEST(tilted.held().added().empty());
+    BOOST_TEST(tilted.held().released().empty());  // none of the nodes is in the matrix
   }
 }
 
@@ -629,7 +623,7 @@ BOOST_AUTO_TEST_CASE(what_an_added_node_makes_of_the_residual_is_its_work) {
   ContactInterface& contact = *tilted.contact;
   tilted.tilt(much);
   contact.begin_iteration(tilted.scene.fields);
-  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  has_matrix(contact, on_both_sides(true));
   tilted.tilt(0);
   const GlobalLayout layout(tilted.scene);
   const VectorXd before = assembled_residual(contact, layout, tilted.scene.fields, dt);
@@ -648,13 +642,13 @@ template <class IsRigid>
 bool serves_flat(Side side, const IsRigid& is_rigid) {
   TiltedContact tilted;
   ContactInterface& contact = *tilted.contact;
+  const auto x = tilted.flat[side].position.row(0);
+  for (const double at : x)
+    tilted.flat[side].rigid.body.push_back(is_rigid((at - x.minCoeff()) / (x.maxCoeff() - x.minCoeff())) ? 0 : -1);
+  tilted.flat[side].rigid.poses = {{Vector3d::Zero(), Eigen::Quaterniond::Identity()}};
   tilted.tilt(much);
   contact.begin_iteration(tilted.scene.fields);
-  PerSide<NodeFlags> rigid = tilted.scene.nowhere();
-  const auto x = tilted.flat[side].position.row(0);
-  for (Index node = 0; node < rigid[side].count(); ++node)
-    rigid[side][node] = is_rigid((x[node] - x.minCoeff()) / (x.maxCoeff() - x.minCoeff()));
-  has_matrix(contact, on_both_sides(true), rigid);
+  has_matrix(contact, on_both_sides(true));
   tilted.tilt(0);
   return serves_again(contact, tilted.scene.fields);
 }
@@ -677,7 +671,7 @@ BOOST_AUTO_TEST_CASE(a_node_that_faced_nothing_is_added_as_it_is_linearised_wher
   const auto x = tilted.flat[Side::secondary].position.row(0);
   shift(0.5 * (x.maxCoeff() - x.minCoeff()));
   contact.begin_iteration(tilted.scene.fields);
-  has_matrix(contact, on_both_sides(true), tilted.scene.nowhere());
+  has_matrix(contact, on_both_sides(true));
   const NodalLoads before = tilted.loads();
   shift(0);
   BOOST_TEST(serves_again(contact, tilted.scene.fields));
@@ -688,7 +682,7 @@ BOOST_AUTO_TEST_CASE(a_node_that_faced_nothing_is_added_as_it_is_linearised_wher
   there.traction.setZero(there.area.size());
   const auto expected = linearise(contact.pass(0).space(), there, seen_from(Side::primary, tilted.scene.fields));
   Index faced_nothing = 0;
-  added_loads(contact, dt, [&](Side /*first*/, const LoadBlock& load) {
+  tilted.held().add_loads(tilted.held().added(), dt, [&](const LoadBlock& load) {
     const int node = load.place.node;
     if (before.area[node] == 0) ++faced_nothing;
     BOOST_TEST((load.variation - expected[node].gap_variation).norm() < rounding);
@@ -704,7 +698,7 @@ BOOST_AUTO_TEST_CASE(a_correction_of_a_pass_without_contact_adds_nothing_to_the_
               explicit_settings(3, 2, 5));
   const auto contact = scene.contact();
   contact->begin_iteration(scene.fields);
-  has_matrix(*contact, on_both_sides(true), scene.nowhere());
+  has_matrix(*contact, on_both_sides(true));
   scene.fields[Side::secondary].position.row(2).array() += 0.001;
   contact->project(scene.position());
   correct(*contact, scene.fields);
