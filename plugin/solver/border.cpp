@@ -9,6 +9,10 @@ using indexing::at;
 namespace newton {
 namespace {
 
+/// The largest number of columns for which a host solves together. The size is a choice: with more, the time of each
+/// hardly falls, and the memory grows.
+constexpr std::size_t most_together = 32;
+
 void add(double factor, const std::vector<Condition::Entry>& entries, std::vector<double>& values) {
   for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
 }
@@ -36,21 +40,32 @@ Condition given_unknown(int equation, double value) {
   return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0, value};
 }
 
-const std::vector<double>& Border::column(const Solve& solve, const Condition& condition, std::size_t size) {
-  const auto known = columns_.find(condition.key);
-  if (known != columns_.end()) return known->second;
-  std::vector<double> right(size);
-  add(1, condition.column, right);
-  return columns_[condition.key] = solve(right);
+void Border::add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, std::size_t size) {
+  std::vector<int> keys;
+  std::vector<std::vector<double>> vectors;
+  const auto solve_for_keys = [&] {
+    if (!keys.empty()) solve(vectors);
+    for (std::size_t i = 0; i < keys.size(); ++i) columns_[keys[i]] = std::move(vectors[i]);
+    keys.clear();
+    vectors.clear();
+  };
+  for (const Condition& condition : conditions) {
+    if (columns_.count(condition.key) > 0) continue;
+    keys.push_back(condition.key);
+    add(1, condition.column, vectors.emplace_back(size));
+    if (keys.size() == most_together) solve_for_keys();
+  }
+  solve_for_keys();
 }
 
-Eigen::VectorXd Border::unknowns(const Solve& solve, const std::vector<Condition>& conditions,
+Eigen::VectorXd Border::unknowns(const SolveAll& solve, const std::vector<Condition>& conditions,
                                  const std::vector<double>& free) {
+  add_columns(solve, conditions, free.size());
   const int count = indexing::number_of(conditions);
   Eigen::MatrixXd answers(count, count);
   Eigen::VectorXd values(count);
   for (int i = 0; i < count; ++i) {
-    const std::vector<double>& answer = column(solve, at(conditions, i), free.size());
+    const std::vector<double>& answer = columns_.at(at(conditions, i).key);
     for (int k = 0; k < count; ++k) answers(k, i) = product(at(conditions, k).row, answer);
     answers(i, i) -= at(conditions, i).diagonal;
     values[i] = product(at(conditions, i).row, free) - at(conditions, i).value;
@@ -58,7 +73,7 @@ Eigen::VectorXd Border::unknowns(const Solve& solve, const std::vector<Condition
   return solved(answers, values);
 }
 
-bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
+bool Border::hold(const SolveAll& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
                   std::vector<double>& right) {
   if (conditions.empty()) return true;
   const Eigen::VectorXd z = unknowns(solve, conditions, free);
@@ -67,16 +82,15 @@ bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, 
   return z.size() > 0;
 }
 
-std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
-                                     const std::vector<double>& right) {
-  std::vector<double> free = solve(right);
+std::vector<double> Border::solution(const SolveAll& solve, const std::vector<Condition>& conditions,
+                                     std::vector<double> free) {
   if (conditions.empty()) return free;
   std::optional<Answer> found = answer(solve, conditions, free);
   if (found) free = std::move(found->x);
   return free;
 }
 
-std::optional<Answer> Border::answer(const Solve& solve, const std::vector<Condition>& conditions,
+std::optional<Answer> Border::answer(const SolveAll& solve, const std::vector<Condition>& conditions,
                                      std::vector<double> free) {
   Answer found{std::move(free), {}};
   if (conditions.empty()) return found;
@@ -84,7 +98,7 @@ std::optional<Answer> Border::answer(const Solve& solve, const std::vector<Condi
   if (z.size() == 0) return std::nullopt;
   for (int i = 0; i < z.size(); ++i) {
     const Condition& condition = at(conditions, i);
-    const std::vector<double>& column = this->column(solve, condition, found.x.size());
+    const std::vector<double>& column = columns_.at(condition.key);
     for (std::size_t n = 0; n < found.x.size(); ++n) at(found.x, n) -= z[i] * at(column, n);
     found.z[condition.key] = z[i];
   }

@@ -54,20 +54,21 @@ class Border {
   bool has_held() const { return has_held_; }
   /// Subtracts C z from the right-hand side b in `right`, such that the solution of K meets these conditions. `free`:
   /// K^-1 b. Returns false without a change if the bordered matrix is singular.
-  bool hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
+  bool hold(const SolveAll& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
             std::vector<double>& right);
-  /// The solution x with these conditions, or without them if the bordered matrix is singular.
-  std::vector<double> solution(const Solve& solve, const std::vector<Condition>& conditions,
-                               const std::vector<double>& right);
+  /// The solution x with these conditions, or without them if the bordered matrix is singular. `free`: K^-1 b.
+  std::vector<double> solution(const SolveAll& solve, const std::vector<Condition>& conditions,
+                               std::vector<double> free);
   /// The solution with these conditions; empty if the bordered matrix is singular. `free`: K^-1 b.
-  std::optional<Answer> answer(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double> free);
+  std::optional<Answer> answer(const SolveAll& solve, const std::vector<Condition>& conditions,
+                               std::vector<double> free);
 
  private:
   /// The unknowns z of these conditions; empty if the bordered matrix is singular. `free`: K^-1 b.
-  Eigen::VectorXd unknowns(const Solve& solve, const std::vector<Condition>& conditions,
+  Eigen::VectorXd unknowns(const SolveAll& solve, const std::vector<Condition>& conditions,
                            const std::vector<double>& free);
-  /// The vector K^-1 C of a condition, of length `size`.
-  const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
+  /// Solves for the columns of these conditions that are not known yet. `size`: length of a column.
+  void add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, std::size_t size);
 
   /// The columns K^-1 C, by the keys of the conditions.
   std::map<int, std::vector<double>> columns_;

@@ -30,8 +30,9 @@ class FEBioSystem {
 
   // The equation system. FEBio solves for the residual at the start of an iteration, vectors().residual.
   FEGlobalMatrix& matrix() const;
-  /// Solves with the present factorisation. Returns false if FEBio's linear solver fails.
-  bool solve(std::vector<double>& solution, std::vector<double> right) const;
+  /// Replaces right-hand sides by their solutions with the present factorisation. Returns false if FEBio's linear
+  /// solver fails.
+  bool solve(std::vector<std::vector<double>>& vectors) const;
   /// Factorises the present matrix. Throws FEBio's error if that fails.
   void factorise() const;
   /// Assembles a matrix at the present state, as FEBio does within its iterations, with all callbacks.

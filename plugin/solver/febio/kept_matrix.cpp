@@ -60,15 +60,14 @@ void KeptMatrix::go_on(const MatrixParts& parts, bool begins) {
 std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
   if (free_.empty()) free_ = split_.x.empty() ? solution(system_.solver().vectors().residual) : split_.x;
-  const auto solve = [&](const std::vector<double>& right) { return solution(right); };
-  std::optional<Answer> found = border_.answer(solve, conditions, free_);
+  std::optional<Answer> found = border_.answer(solve_all(), conditions, free_);
   if (!may_correct_) found.reset();
   return found;
 }
 
 void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
-    return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
+    return border_.solution(solve_all(), conditions, solution(right));
   };
   finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
                     left_by_sweeps),
@@ -126,22 +125,38 @@ void KeptMatrix::correct(const std::vector<Condition>& conditions, const MatrixP
   prepare(conditions, parts);
 }
 
-std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed) {
-  std::vector<double> found(changed.size());
-  if (system_.solve(found, std::move(changed))) return found;
+void KeptMatrix::take(RowOperations operations) {
+  operations_ = std::move(operations);
+  border_.forget();
+  free_.clear();
+}
+
+void KeptMatrix::solve_changed(std::vector<std::vector<double>>& changed) {
+  if (system_.solve(changed)) return;
   may_correct_ = false;
-  return std::vector<double>(found.size());
+  for (std::vector<double>& each : changed) std::fill(each.begin(), each.end(), 0.0);
+}
+
+SolveAll KeptMatrix::solve_all() {
+  return [this](std::vector<std::vector<double>>& vectors) {
+    for (std::vector<double>& each : vectors) each = applied(operations_, std::move(each));
+    solve_changed(vectors);
+  };
 }
 
 std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
-  return solution_of_changed(applied(operations_, right));
+  std::vector<std::vector<double>> vectors{right};
+  solve_all()(vectors);
+  return std::move(vectors.front());
 }
 
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
   const std::vector<double> changed = applied(operations_, right);
-  std::vector<double> found = solution_of_changed(changed);
-  if (operations_.empty() || !may_correct_) return found;
-  if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
+  std::vector<std::vector<double>> found{changed};
+  solve_changed(found);
+  if (operations_.empty() || !may_correct_) return found.front();
+  if (MatrixRows(system_.matrix()).backward_error(found.front(), changed) <= largest_backward_error)
+    return found.front();
   undo_operations();
   return solution(right);
 }
@@ -165,7 +180,7 @@ void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixP
     return std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
   };
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
-    return border_.solution(solve, conditions, each);
+    return border_.solution(solve_all(), conditions, solve(each));
   };
   const bool solves_anyway = !are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // solved only to check the row operations
@@ -183,8 +198,7 @@ void KeptMatrix::finish(Split split, const MatrixParts& parts, const std::vector
   if (!conditions.empty()) {
     std::vector<double> with_conditions = right;
     free_ = solution(right);
-    const bool holds = border_.hold([&](const auto& each) { return solution(each); }, conditions, free_,
-                                    with_conditions);
+    const bool holds = border_.hold(solve_all(), conditions, free_, with_conditions);
     taken_.resize(right.size());
     taken_ = taken_ + (right - with_conditions);
     right = std::move(with_conditions);
