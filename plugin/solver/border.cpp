@@ -4,6 +4,8 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 using indexing::at;
 
 namespace newton {
@@ -11,7 +13,7 @@ namespace {
 
 /// The largest number of columns for which a host solves together. The size is a choice: with more, the time of each
 /// hardly falls, and the memory grows.
-constexpr std::size_t most_together = 32;
+constexpr std::ptrdiff_t most_together = 16;
 
 void add(double factor, const std::vector<Condition::Entry>& entries, std::vector<double>& values) {
   for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
@@ -30,42 +32,48 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rig
 
 }  // namespace
 
-double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
+double product(const std::vector<Condition::Entry>& entries, const Eigen::Ref<const Eigen::VectorXd>& values) {
   double sum = 0;
-  for (const Condition::Entry& entry : entries) sum += entry.value * at(values, entry.equation);
+  for (const Condition::Entry& entry : entries) sum += entry.value * values[entry.equation];
   return sum;
+}
+
+double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
+  return product(entries, Eigen::Map<const Eigen::VectorXd>(values.data(), indexing::number_of(values)));
 }
 
 Condition given_unknown(int equation, double value) {
   return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0, value};
 }
 
-void Border::add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, std::size_t size) {
-  std::vector<int> keys;
-  std::vector<std::vector<double>> vectors;
-  const auto solve_for_keys = [&] {
-    if (!keys.empty()) solve(vectors);
-    for (std::size_t i = 0; i < keys.size(); ++i) columns_[keys[i]] = std::move(vectors[i]);
-    keys.clear();
-    vectors.clear();
-  };
+void Border::add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, Eigen::Index size) {
+  std::vector<const Condition*> unknown;
   for (const Condition& condition : conditions) {
-    if (columns_.count(condition.key) > 0) continue;
-    keys.push_back(condition.key);
-    add(1, condition.column, vectors.emplace_back(size));
-    if (keys.size() == most_together) solve_for_keys();
+    if (places_.count(condition.key) == 0) unknown.push_back(&condition);
   }
-  solve_for_keys();
+  for (auto next = unknown.begin(); next != unknown.end();) {
+    Eigen::MatrixXd rights = Eigen::MatrixXd::Zero(size, std::min(most_together, unknown.end() - next));
+    for (Eigen::Index n = 0; n < rights.cols(); ++n, ++next) {
+      for (const Condition::Entry& entry : (*next)->column) rights(entry.equation, n) += entry.value;
+      places_[(*next)->key] = {columns_.size(), n};
+    }
+    columns_.push_back(solve(std::move(rights)));
+  }
+}
+
+Eigen::MatrixXd::ConstColXpr Border::column(const Condition& condition) const {
+  const auto& [matrix, n] = places_.at(condition.key);
+  return columns_[matrix].col(n);
 }
 
 Eigen::VectorXd Border::unknowns(const SolveAll& solve, const std::vector<Condition>& conditions,
                                  const std::vector<double>& free) {
-  add_columns(solve, conditions, free.size());
+  add_columns(solve, conditions, indexing::number_of(free));
   const int count = indexing::number_of(conditions);
   Eigen::MatrixXd answers(count, count);
   Eigen::VectorXd values(count);
   for (int i = 0; i < count; ++i) {
-    const std::vector<double>& answer = columns_.at(at(conditions, i).key);
+    const auto answer = column(at(conditions, i));
     for (int k = 0; k < count; ++k) answers(k, i) = product(at(conditions, k).row, answer);
     answers(i, i) -= at(conditions, i).diagonal;
     values[i] = product(at(conditions, i).row, free) - at(conditions, i).value;
@@ -98,8 +106,7 @@ std::optional<Answer> Border::answer(const SolveAll& solve, const std::vector<Co
   if (z.size() == 0) return std::nullopt;
   for (int i = 0; i < z.size(); ++i) {
     const Condition& condition = at(conditions, i);
-    const std::vector<double>& column = columns_.at(condition.key);
-    for (std::size_t n = 0; n < found.x.size(); ++n) at(found.x, n) -= z[i] * at(column, n);
+    Eigen::Map<Eigen::VectorXd>(found.x.data(), indexing::number_of(found.x)) -= z[i] * column(condition);
     found.z[condition.key] = z[i];
   }
   return found;

@@ -15,6 +15,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace newton {
@@ -33,6 +34,7 @@ struct Condition {
 };
 
 /// Product of a row or column of a condition with a vector of one value per equation.
+double product(const std::vector<Condition::Entry>& entries, const Eigen::Ref<const Eigen::VectorXd>& values);
 double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values);
 
 /// The solution of a matrix with conditions.
@@ -68,10 +70,15 @@ class Border {
   Eigen::VectorXd unknowns(const SolveAll& solve, const std::vector<Condition>& conditions,
                            const std::vector<double>& free);
   /// Solves for the columns of these conditions that are not known yet. `size`: length of a column.
-  void add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, std::size_t size);
+  void add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, Eigen::Index size);
 
-  /// The columns K^-1 C, by the keys of the conditions.
-  std::map<int, std::vector<double>> columns_;
+  /// The column K^-1 C of a condition, which is known.
+  Eigen::MatrixXd::ConstColXpr column(const Condition& condition) const;
+
+  /// The columns K^-1 C, in the matrices in which they were solved for.
+  std::vector<Eigen::MatrixXd> columns_;
+  /// The matrix in `columns_` and the position in it, by the key of the condition.
+  std::map<int, std::pair<std::size_t, Eigen::Index>> places_;
   bool has_held_ = false;
 };
 

@@ -1,6 +1,8 @@
 /// Solution with a factorised matrix.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <vector>
 
@@ -9,7 +11,8 @@ namespace newton {
 /// Returns K^-1 times a right-hand side.
 using Solve = std::function<std::vector<double>(const std::vector<double>& right)>;
 
-/// Replaces each right-hand side by K^-1 times it. Several ones take less time together than one after the other.
-using SolveAll = std::function<void(std::vector<std::vector<double>>& vectors)>;
+/// Returns K^-1 times right-hand sides, which are the columns of a matrix. Several ones take less time together than
+/// one after the other.
+using SolveAll = std::function<Eigen::MatrixXd(Eigen::MatrixXd rights)>;
 
 }  // namespace newton

@@ -33,8 +33,8 @@ double FEBioSystem::increment_tolerance() const {
 
 FEGlobalMatrix& FEBioSystem::matrix() const { return *solver_.febio()->m_pK; }
 
-bool FEBioSystem::solve(std::vector<std::vector<double>>& vectors) const {
-  return back_substitute(*solver_.febio()->GetLinearSolver(), vectors);
+Eigen::MatrixXd FEBioSystem::solve(Eigen::MatrixXd rights) const {
+  return back_substitute(*solver_.febio()->GetLinearSolver(), std::move(rights));
 }
 
 void FEBioSystem::factorise() const {

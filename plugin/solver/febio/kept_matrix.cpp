@@ -43,6 +43,12 @@ constexpr double remembered = 0.5;
 /// displacements, as with penalties of 1e5 times the stiffness of the bodies, the error of the load is 1e-4.
 constexpr double largest_backward_error = 1e-9;
 
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
+  return {values.data(), indexing::number_of(values)};
+}
+
+std::vector<double> as_std(const Eigen::Ref<const Eigen::VectorXd>& values) { return {values.begin(), values.end()}; }
+
 }  // namespace
 
 void KeptMatrix::formed(const MatrixParts& parts) {
@@ -131,32 +137,32 @@ void KeptMatrix::take(RowOperations operations) {
   free_.clear();
 }
 
-void KeptMatrix::solve_changed(std::vector<std::vector<double>>& changed) {
-  if (system_.solve(changed)) return;
+Eigen::MatrixXd KeptMatrix::solutions_of_changed(Eigen::MatrixXd changed) {
+  const Eigen::Index rows = changed.rows();
+  const Eigen::Index columns = changed.cols();
+  Eigen::MatrixXd found = system_.solve(std::move(changed));
+  if (found.size() > 0) return found;
   may_correct_ = false;
-  for (std::vector<double>& each : changed) std::fill(each.begin(), each.end(), 0.0);
+  return Eigen::MatrixXd::Zero(rows, columns);
 }
 
 SolveAll KeptMatrix::solve_all() {
-  return [this](std::vector<std::vector<double>>& vectors) {
-    for (std::vector<double>& each : vectors) each = applied(operations_, std::move(each));
-    solve_changed(vectors);
+  return [this](Eigen::MatrixXd rights) {
+    for (Eigen::Index n = 0; n < rights.cols(); ++n)
+      rights.col(n) = as_vector(applied(operations_, as_std(rights.col(n))));
+    return solutions_of_changed(std::move(rights));
   };
 }
 
 std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
-  std::vector<std::vector<double>> vectors{right};
-  solve_all()(vectors);
-  return std::move(vectors.front());
+  return as_std(solve_all()(as_vector(right)));
 }
 
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
   const std::vector<double> changed = applied(operations_, right);
-  std::vector<std::vector<double>> found{changed};
-  solve_changed(found);
-  if (operations_.empty() || !may_correct_) return found.front();
-  if (MatrixRows(system_.matrix()).backward_error(found.front(), changed) <= largest_backward_error)
-    return found.front();
+  std::vector<double> found = as_std(solutions_of_changed(as_vector(changed)));
+  if (operations_.empty() || !may_correct_) return found;
+  if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
   return solution(right);
 }

@@ -94,9 +94,9 @@ class KeptMatrix {
   void prepare(const std::vector<Condition>& conditions, const MatrixParts& parts);
   /// Changes FEBio's right-hand side for the result of a splitting, and such that the next solution meets conditions.
   void finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions);
-  /// Replaces right-hand sides to which the row operations have been applied by their solutions. If FEBio cannot solve,
-  /// they are zero, and the matrix cannot be corrected any more.
-  void solve_changed(std::vector<std::vector<double>>& changed);
+  /// The solutions for right-hand sides to which the row operations have been applied. If FEBio cannot solve, they are
+  /// zero, and the matrix cannot be corrected any more.
+  Eigen::MatrixXd solutions_of_changed(Eigen::MatrixXd changed);
   /// Solves for right-hand sides to which the row operations have not been applied.
   SolveAll solve_all();
   /// The solution for a right-hand side to which the row operations have not been applied.
