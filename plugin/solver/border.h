@@ -6,7 +6,8 @@
 ///     | R^T  D | | z | = | d |
 ///
 /// The solution x satisfies K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b - d. This takes one back substitution
-/// for each condition and each matrix, and one for each right-hand side.
+/// for each condition and each matrix, and one for each right-hand side. Those of the conditions are performed
+/// together.
 #pragma once
 
 #include "solve.h"
