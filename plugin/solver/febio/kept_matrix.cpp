@@ -49,6 +49,11 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
 
 std::vector<double> as_std(const Eigen::Ref<const Eigen::VectorXd>& values) { return {values.begin(), values.end()}; }
 
+/// The solution for one right-hand side.
+std::vector<double> solution(const SolveAll& solve, const std::vector<double>& right) {
+  return as_std(solve(as_vector(right)));
+}
+
 }  // namespace
 
 void KeptMatrix::formed(const MatrixParts& parts) {
@@ -65,7 +70,7 @@ void KeptMatrix::go_on(const MatrixParts& parts, bool begins) {
 
 std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
-  if (free_.empty()) free_ = split_.x.empty() ? solution(system_.solver().vectors().residual) : split_.x;
+  if (free_.empty()) free_ = split_.x.empty() ? solution(solve_all(), system_.solver().vectors().residual) : split_.x;
   std::optional<Answer> found = border_.answer(solve_all(), conditions, free_);
   if (!may_correct_) found.reset();
   return found;
@@ -73,7 +78,7 @@ std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& condition
 
 void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
-    return border_.solution(solve_all(), conditions, solution(right));
+    return border_.solution(solve_all(), conditions, solution(solve_all(), right));
   };
   finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
                     left_by_sweeps),
@@ -154,17 +159,13 @@ SolveAll KeptMatrix::solve_all() {
   };
 }
 
-std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
-  return as_std(solve_all()(as_vector(right)));
-}
-
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
   const std::vector<double> changed = applied(operations_, right);
   std::vector<double> found = as_std(solutions_of_changed(as_vector(changed)));
   if (operations_.empty() || !may_correct_) return found;
   if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
-  return solution(right);
+  return solution(solve_all(), right);
 }
 
 void KeptMatrix::undo_operations() {
@@ -183,7 +184,7 @@ void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixP
   free_.clear();
   bool is_checked = false;
   const auto solve = [&](const std::vector<double>& each) {
-    return std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
+    return std::exchange(is_checked, true) ? solution(solve_all(), each) : checked_solution(each);
   };
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
     return border_.solution(solve_all(), conditions, solve(each));
@@ -203,7 +204,7 @@ void KeptMatrix::finish(Split split, const MatrixParts& parts, const std::vector
   split_parts_ = parts;
   if (!conditions.empty()) {
     std::vector<double> with_conditions = right;
-    free_ = solution(right);
+    free_ = solution(solve_all(), right);
     const bool holds = border_.hold(solve_all(), conditions, free_, with_conditions);
     taken_.resize(right.size());
     taken_ = taken_ + (right - with_conditions);

@@ -99,8 +99,6 @@ class KeptMatrix {
   Eigen::MatrixXd solutions_of_changed(Eigen::MatrixXd changed);
   /// Solves for right-hand sides to which the row operations have not been applied.
   SolveAll solve_all();
-  /// The solution for a right-hand side to which the row operations have not been applied.
-  std::vector<double> solution(const std::vector<double>& right);
   /// The solution for a right-hand side to which the row operations have not been applied. If row operations have
   /// caused inaccurate pivots, it restores the rows of the matrix and solves again.
   std::vector<double> checked_solution(const std::vector<double>& right);
