@@ -5,7 +5,8 @@
 /// missing. The factorised matrix gives the tractions and gaps at the end of the iteration. Each node with a tensile
 /// traction opens, each node with an overlap closes, and the system is solved again until no node changes. The result
 /// is the active set of the linearised problem, by the same rule as from iteration to iteration
-/// (contact/active_set/active_set.h). Each change of a node takes a back substitution.
+/// (contact/active_set/active_set.h). Each change of a node takes a back substitution; the host
+/// performs those of many nodes together.
 #pragma once
 
 #include "contact_in_model.h"

@@ -4,10 +4,16 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+
 using indexing::at;
 
 namespace newton {
 namespace {
+
+/// The largest number of columns for which a host solves together. The size is a choice: with more, the time of each
+/// hardly falls, and the memory grows.
+constexpr std::ptrdiff_t most_together = 16;
 
 void add(double factor, const std::vector<Condition::Entry>& entries, std::vector<double>& values) {
   for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
@@ -26,31 +32,48 @@ Eigen::VectorXd solved(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rig
 
 }  // namespace
 
-double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
+double product(const std::vector<Condition::Entry>& entries, const Eigen::Ref<const Eigen::VectorXd>& values) {
   double sum = 0;
-  for (const Condition::Entry& entry : entries) sum += entry.value * at(values, entry.equation);
+  for (const Condition::Entry& entry : entries) sum += entry.value * values[entry.equation];
   return sum;
+}
+
+double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values) {
+  return product(entries, Eigen::Map<const Eigen::VectorXd>(values.data(), indexing::number_of(values)));
 }
 
 Condition given_unknown(int equation, double value) {
   return {equation, {{equation, 1.0}}, {{equation, 1.0}}, 0.0, value};
 }
 
-const std::vector<double>& Border::column(const Solve& solve, const Condition& condition, std::size_t size) {
-  const auto known = columns_.find(condition.key);
-  if (known != columns_.end()) return known->second;
-  std::vector<double> right(size);
-  add(1, condition.column, right);
-  return columns_[condition.key] = solve(right);
+void Border::add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, Eigen::Index size) {
+  std::vector<const Condition*> unknown;
+  for (const Condition& condition : conditions) {
+    if (places_.count(condition.key) == 0) unknown.push_back(&condition);
+  }
+  for (auto next = unknown.begin(); next != unknown.end();) {
+    Eigen::MatrixXd rights = Eigen::MatrixXd::Zero(size, std::min(most_together, unknown.end() - next));
+    for (Eigen::Index n = 0; n < rights.cols(); ++n, ++next) {
+      for (const Condition::Entry& entry : (*next)->column) rights(entry.equation, n) += entry.value;
+      places_[(*next)->key] = {columns_.size(), n};
+    }
+    columns_.push_back(solve(std::move(rights)));
+  }
 }
 
-Eigen::VectorXd Border::unknowns(const Solve& solve, const std::vector<Condition>& conditions,
+Eigen::MatrixXd::ConstColXpr Border::column(const Condition& condition) const {
+  const auto& [matrix, n] = places_.at(condition.key);
+  return columns_[matrix].col(n);
+}
+
+Eigen::VectorXd Border::unknowns(const SolveAll& solve, const std::vector<Condition>& conditions,
                                  const std::vector<double>& free) {
+  add_columns(solve, conditions, indexing::number_of(free));
   const int count = indexing::number_of(conditions);
   Eigen::MatrixXd answers(count, count);
   Eigen::VectorXd values(count);
   for (int i = 0; i < count; ++i) {
-    const std::vector<double>& answer = column(solve, at(conditions, i), free.size());
+    const auto answer = column(at(conditions, i));
     for (int k = 0; k < count; ++k) answers(k, i) = product(at(conditions, k).row, answer);
     answers(i, i) -= at(conditions, i).diagonal;
     values[i] = product(at(conditions, i).row, free) - at(conditions, i).value;
@@ -58,7 +81,7 @@ Eigen::VectorXd Border::unknowns(const Solve& solve, const std::vector<Condition
   return solved(answers, values);
 }
 
-bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
+bool Border::hold(const SolveAll& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
                   std::vector<double>& right) {
   if (conditions.empty()) return true;
   const Eigen::VectorXd z = unknowns(solve, conditions, free);
@@ -67,16 +90,15 @@ bool Border::hold(const Solve& solve, const std::vector<Condition>& conditions, 
   return z.size() > 0;
 }
 
-std::vector<double> Border::solution(const Solve& solve, const std::vector<Condition>& conditions,
-                                     const std::vector<double>& right) {
-  std::vector<double> free = solve(right);
+std::vector<double> Border::solution(const SolveAll& solve, const std::vector<Condition>& conditions,
+                                     std::vector<double> free) {
   if (conditions.empty()) return free;
   std::optional<Answer> found = answer(solve, conditions, free);
   if (found) free = std::move(found->x);
   return free;
 }
 
-std::optional<Answer> Border::answer(const Solve& solve, const std::vector<Condition>& conditions,
+std::optional<Answer> Border::answer(const SolveAll& solve, const std::vector<Condition>& conditions,
                                      std::vector<double> free) {
   Answer found{std::move(free), {}};
   if (conditions.empty()) return found;
@@ -84,8 +106,7 @@ std::optional<Answer> Border::answer(const Solve& solve, const std::vector<Condi
   if (z.size() == 0) return std::nullopt;
   for (int i = 0; i < z.size(); ++i) {
     const Condition& condition = at(conditions, i);
-    const std::vector<double>& column = this->column(solve, condition, found.x.size());
-    for (std::size_t n = 0; n < found.x.size(); ++n) at(found.x, n) -= z[i] * at(column, n);
+    Eigen::Map<Eigen::VectorXd>(found.x.data(), indexing::number_of(found.x)) -= z[i] * column(condition);
     found.z[condition.key] = z[i];
   }
   return found;

@@ -6,7 +6,8 @@
 ///     | R^T  D | | z | = | d |
 ///
 /// The solution x satisfies K x = b - C z, with (R^T K^-1 C - D) z = R^T K^-1 b - d. This takes one back substitution
-/// for each condition and each matrix, and one for each right-hand side.
+/// for each condition and each matrix, and one for each right-hand side. Those of the conditions are performed
+/// together.
 #pragma once
 
 #include "solve.h"
@@ -15,6 +16,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace newton {
@@ -33,6 +35,7 @@ struct Condition {
 };
 
 /// Product of a row or column of a condition with a vector of one value per equation.
+double product(const std::vector<Condition::Entry>& entries, const Eigen::Ref<const Eigen::VectorXd>& values);
 double product(const std::vector<Condition::Entry>& entries, const std::vector<double>& values);
 
 /// The solution of a matrix with conditions.
@@ -54,23 +57,29 @@ class Border {
   bool has_held() const { return has_held_; }
   /// Subtracts C z from the right-hand side b in `right`, such that the solution of K meets these conditions. `free`:
   /// K^-1 b. Returns false without a change if the bordered matrix is singular.
-  bool hold(const Solve& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
+  bool hold(const SolveAll& solve, const std::vector<Condition>& conditions, const std::vector<double>& free,
             std::vector<double>& right);
-  /// The solution x with these conditions, or without them if the bordered matrix is singular.
-  std::vector<double> solution(const Solve& solve, const std::vector<Condition>& conditions,
-                               const std::vector<double>& right);
+  /// The solution x with these conditions, or without them if the bordered matrix is singular. `free`: K^-1 b.
+  std::vector<double> solution(const SolveAll& solve, const std::vector<Condition>& conditions,
+                               std::vector<double> free);
   /// The solution with these conditions; empty if the bordered matrix is singular. `free`: K^-1 b.
-  std::optional<Answer> answer(const Solve& solve, const std::vector<Condition>& conditions, std::vector<double> free);
+  std::optional<Answer> answer(const SolveAll& solve, const std::vector<Condition>& conditions,
+                               std::vector<double> free);
 
  private:
   /// The unknowns z of these conditions; empty if the bordered matrix is singular. `free`: K^-1 b.
-  Eigen::VectorXd unknowns(const Solve& solve, const std::vector<Condition>& conditions,
+  Eigen::VectorXd unknowns(const SolveAll& solve, const std::vector<Condition>& conditions,
                            const std::vector<double>& free);
-  /// The vector K^-1 C of a condition, of length `size`.
-  const std::vector<double>& column(const Solve& solve, const Condition& condition, std::size_t size);
+  /// Solves for the columns of these conditions that are not known yet. `size`: length of a column.
+  void add_columns(const SolveAll& solve, const std::vector<Condition>& conditions, Eigen::Index size);
 
-  /// The columns K^-1 C, by the keys of the conditions.
-  std::map<int, std::vector<double>> columns_;
+  /// The column K^-1 C of a condition, which is known.
+  Eigen::MatrixXd::ConstColXpr column(const Condition& condition) const;
+
+  /// The columns K^-1 C, in the matrices in which they were solved for.
+  std::vector<Eigen::MatrixXd> columns_;
+  /// The matrix in `columns_` and the position in it, by the key of the condition.
+  std::map<int, std::pair<std::size_t, Eigen::Index>> places_;
   bool has_held_ = false;
 };
 

@@ -1,6 +1,8 @@
 /// Solution with a factorised matrix.
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <vector>
 
@@ -8,5 +10,9 @@ namespace newton {
 
 /// Returns K^-1 times a right-hand side.
 using Solve = std::function<std::vector<double>(const std::vector<double>& right)>;
+
+/// Returns K^-1 times right-hand sides, which are the columns of a matrix. Several ones take less time together than
+/// one after the other.
+using SolveAll = std::function<Eigen::MatrixXd(Eigen::MatrixXd rights)>;
 
 }  // namespace newton

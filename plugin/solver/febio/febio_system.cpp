@@ -1,5 +1,7 @@
 #include "febio_system.h"
 
+#include "back_substitution.h"
+
 #include <FECore/Callback.h>
 #include <FECore/FEException.h>
 #include <FECore/FEGlobalMatrix.h>
@@ -31,8 +33,8 @@ double FEBioSystem::increment_tolerance() const {
 
 FEGlobalMatrix& FEBioSystem::matrix() const { return *solver_.febio()->m_pK; }
 
-bool FEBioSystem::solve(std::vector<double>& solution, std::vector<double> right) const {
-  return solver_.febio()->GetLinearSolver()->BackSolve(solution, right);
+Eigen::MatrixXd FEBioSystem::solve(Eigen::MatrixXd rights) const {
+  return back_substitute(*solver_.febio()->GetLinearSolver(), std::move(rights));
 }
 
 void FEBioSystem::factorise() const {

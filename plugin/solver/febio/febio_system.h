@@ -3,6 +3,8 @@
 
 #include "febio_solver.h"
 
+#include <Eigen/Core>
+
 class FEGlobalMatrix;
 
 namespace newton {
@@ -30,8 +32,9 @@ class FEBioSystem {
 
   // The equation system. FEBio solves for the residual at the start of an iteration, vectors().residual.
   FEGlobalMatrix& matrix() const;
-  /// Solves with the present factorisation. Returns false if FEBio's linear solver fails.
-  bool solve(std::vector<double>& solution, std::vector<double> right) const;
+  /// Solves for right-hand sides, which are the columns of a matrix, with the present factorisation. Returns a matrix
+  /// without entries if FEBio's linear solver fails.
+  Eigen::MatrixXd solve(Eigen::MatrixXd rights) const;
   /// Factorises the present matrix. Throws FEBio's error if that fails.
   void factorise() const;
   /// Assembles a matrix at the present state, as FEBio does within its iterations, with all callbacks.

@@ -43,6 +43,17 @@ constexpr double remembered = 0.5;
 /// displacements, as with penalties of 1e5 times the stiffness of the bodies, the error of the load is 1e-4.
 constexpr double largest_backward_error = 1e-9;
 
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
+  return {values.data(), indexing::number_of(values)};
+}
+
+std::vector<double> as_std(const Eigen::Ref<const Eigen::VectorXd>& values) { return {values.begin(), values.end()}; }
+
+/// The solution for one right-hand side.
+std::vector<double> solution(const SolveAll& solve, const std::vector<double>& right) {
+  return as_std(solve(as_vector(right)));
+}
+
 }  // namespace
 
 void KeptMatrix::formed(const MatrixParts& parts) {
@@ -59,16 +70,15 @@ void KeptMatrix::go_on(const MatrixParts& parts, bool begins) {
 
 std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& conditions) {
   if (!may_correct_) return std::nullopt;
-  if (free_.empty()) free_ = split_.x.empty() ? solution(system_.solver().vectors().residual) : split_.x;
-  const auto solve = [&](const std::vector<double>& right) { return solution(right); };
-  std::optional<Answer> found = border_.answer(solve, conditions, free_);
+  if (free_.empty()) free_ = split_.x.empty() ? solution(solve_all(), system_.solver().vectors().residual) : split_.x;
+  std::optional<Answer> found = border_.answer(solve_all(), conditions, free_);
   if (!may_correct_) found.reset();
   return found;
 }
 
 void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
-    return border_.solution([&](const auto& each) { return solution(each); }, conditions, right);
+    return border_.solution(solve_all(), conditions, solution(solve_all(), right));
   };
   finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
                     left_by_sweeps),
@@ -126,24 +136,36 @@ void KeptMatrix::correct(const std::vector<Condition>& conditions, const MatrixP
   prepare(conditions, parts);
 }
 
-std::vector<double> KeptMatrix::solution_of_changed(std::vector<double> changed) {
-  std::vector<double> found(changed.size());
-  if (system_.solve(found, std::move(changed))) return found;
-  may_correct_ = false;
-  return std::vector<double>(found.size());
+void KeptMatrix::take(RowOperations operations) {
+  operations_ = std::move(operations);
+  border_.forget();
+  free_.clear();
 }
 
-std::vector<double> KeptMatrix::solution(const std::vector<double>& right) {
-  return solution_of_changed(applied(operations_, right));
+Eigen::MatrixXd KeptMatrix::solutions_of_changed(Eigen::MatrixXd changed) {
+  const Eigen::Index rows = changed.rows();
+  const Eigen::Index columns = changed.cols();
+  Eigen::MatrixXd found = system_.solve(std::move(changed));
+  if (found.size() > 0) return found;
+  may_correct_ = false;
+  return Eigen::MatrixXd::Zero(rows, columns);
+}
+
+SolveAll KeptMatrix::solve_all() {
+  return [this](Eigen::MatrixXd rights) {
+    for (Eigen::Index n = 0; n < rights.cols(); ++n)
+      rights.col(n) = as_vector(applied(operations_, as_std(rights.col(n))));
+    return solutions_of_changed(std::move(rights));
+  };
 }
 
 std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& right) {
   const std::vector<double> changed = applied(operations_, right);
-  std::vector<double> found = solution_of_changed(changed);
+  std::vector<double> found = as_std(solutions_of_changed(as_vector(changed)));
   if (operations_.empty() || !may_correct_) return found;
   if (MatrixRows(system_.matrix()).backward_error(found, changed) <= largest_backward_error) return found;
   undo_operations();
-  return solution(right);
+  return solution(solve_all(), right);
 }
 
 void KeptMatrix::undo_operations() {
@@ -162,10 +184,10 @@ void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixP
   free_.clear();
   bool is_checked = false;
   const auto solve = [&](const std::vector<double>& each) {
-    return std::exchange(is_checked, true) ? solution(each) : checked_solution(each);
+    return std::exchange(is_checked, true) ? solution(solve_all(), each) : checked_solution(each);
   };
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
-    return border_.solution(solve, conditions, each);
+    return border_.solution(solve_all(), conditions, solve(each));
   };
   const bool solves_anyway = !are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // solved only to check the row operations
@@ -182,9 +204,8 @@ void KeptMatrix::finish(Split split, const MatrixParts& parts, const std::vector
   split_parts_ = parts;
   if (!conditions.empty()) {
     std::vector<double> with_conditions = right;
-    free_ = solution(right);
-    const bool holds = border_.hold([&](const auto& each) { return solution(each); }, conditions, free_,
-                                    with_conditions);
+    free_ = solution(solve_all(), right);
+    const bool holds = border_.hold(solve_all(), conditions, free_, with_conditions);
     taken_.resize(right.size());
     taken_ = taken_ + (right - with_conditions);
     right = std::move(with_conditions);

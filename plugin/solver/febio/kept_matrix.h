@@ -37,8 +37,9 @@ class KeptMatrix {
   void hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer);
   /// True if row operations may be applied to the matrix.
   bool takes_operations() const { return !found_.loses_pivots; }
-  /// Notes that these row operations have been applied to the matrix that FEBio has assembled.
-  void take(RowOperations operations) { operations_ = std::move(operations); }
+  /// Notes that FEBio has assembled a new matrix, to which these row operations have been applied. Discards the
+  /// solutions with the last matrix, whose memory FEBio's factorisation needs.
+  void take(RowOperations operations);
   /// Applies the row operations to FEBio's right-hand side before FEBio solves, until a trial.
   void solve();
   /// Restores FEBio's right-hand side, before it is changed.
@@ -93,11 +94,11 @@ class KeptMatrix {
   void prepare(const std::vector<Condition>& conditions, const MatrixParts& parts);
   /// Changes FEBio's right-hand side for the result of a splitting, and such that the next solution meets conditions.
   void finish(Split split, const MatrixParts& parts, const std::vector<Condition>& conditions);
-  /// The solution for a right-hand side to which the row operations have been applied. If FEBio cannot solve, it is
+  /// The solutions for right-hand sides to which the row operations have been applied. If FEBio cannot solve, they are
   /// zero, and the matrix cannot be corrected any more.
-  std::vector<double> solution_of_changed(std::vector<double> changed);
-  /// The solution for a right-hand side to which the row operations have not been applied.
-  std::vector<double> solution(const std::vector<double>& right);
+  Eigen::MatrixXd solutions_of_changed(Eigen::MatrixXd changed);
+  /// Solves for right-hand sides to which the row operations have not been applied.
+  SolveAll solve_all();
   /// The solution for a right-hand side to which the row operations have not been applied. If row operations have
   /// caused inaccurate pivots, it restores the rows of the matrix and solves again.
   std::vector<double> checked_solution(const std::vector<double>& right);

@@ -24,12 +24,17 @@ struct System {
     const Eigen::VectorXd x = matrix.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(right.data(), size));
     return {x.data(), x.data() + size};
   }
-  newton::Solve solver() {
-    return [this](const std::vector<double>& right) { return solve(right); };
+  newton::SolveAll solver() {
+    return [this](const Eigen::MatrixXd& rights) -> Eigen::MatrixXd {
+      ++calls;
+      solutions += indexing::as_int(rights.cols());
+      return matrix.partialPivLu().solve(rights);
+    };
   }
 
   Eigen::MatrixXd matrix;
   int solutions = 0;
+  int calls = 0;
 };
 
 const std::vector<double> load{1, -2, 3, 0.5, -1, 2, 4};
@@ -99,11 +104,25 @@ BOOST_AUTO_TEST_CASE(each_condition_costs_a_solution_once_until_there_is_another
   std::vector<double> right = load;
   border.hold(system.solver(), zeros({0, 2}), free, right);
   BOOST_TEST(system.solutions == 3);
+  BOOST_TEST(system.calls == 1);
   border.hold(system.solver(), zeros({0, 2, 3}), free, right);
   BOOST_TEST(system.solutions == 4);
   border.forget();
   border.hold(system.solver(), zeros({0}), free, right);
   BOOST_TEST(system.solutions == 5);
+}
+
+BOOST_AUTO_TEST_CASE(many_conditions_are_solved_for_in_batches) {
+  System system(13);
+  std::vector<Condition> conditions;
+  for (int key = 0; key < 70; ++key) conditions.push_back({size + key, {{key % size, 1.0}}, {}, 1, 0.1 * key});
+  const auto answer = Border().answer(system.solver(), conditions, system.solve(load));
+  BOOST_REQUIRE(answer.has_value());
+  BOOST_TEST(system.solutions == 71);
+  BOOST_TEST(system.calls == 5);
+  Eigen::VectorXd expected = vector(load);
+  for (int key = 0; key < 70; ++key) expected[key % size] -= 0.1 * key;
+  BOOST_TEST((system.matrix * vector(answer->x) - expected).norm() < test::rounding * 70 * expected.norm());
 }
 
 BOOST_AUTO_TEST_CASE(an_unknown_that_is_given_leaves_to_its_border_what_its_own_equation_lacks) {
@@ -139,7 +158,7 @@ BOOST_AUTO_TEST_CASE(the_solution_with_conditions_is_that_of_the_right_hand_side
   System system(8);
   Border border;
   const std::vector<Condition> conditions = zeros({1, 3});
-  const Eigen::VectorXd x = vector(border.solution(system.solver(), conditions, load));
+  const Eigen::VectorXd x = vector(border.solution(system.solver(), conditions, system.solve(load)));
   BOOST_TEST(system.solutions == 3);  // one for each condition, and the last
   std::vector<double> right = load;
   border.hold(system.solver(), conditions, system.solve(right), right);
@@ -163,5 +182,5 @@ BOOST_AUTO_TEST_CASE(a_matrix_that_is_singular_with_them_holds_none) {
   BOOST_TEST(!Border().hold(system.solver(), zeros({0}), system.solve(right), right));
   BOOST_TEST(!Border().answer(system.solver(), zeros({0}), system.solve(right)).has_value());
   BOOST_TEST((right == load));
-  BOOST_TEST((Border().solution(system.solver(), zeros({0}), right) == system.solve(right)));
+  BOOST_TEST((Border().solution(system.solver(), zeros({0}), system.solve(right)) == system.solve(right)));
 }
