@@ -92,7 +92,7 @@ ContactStatus ActiveSet::next(const NodeFlags& before, NodeFlags updated, bool c
   ContactStatus status{updated, updated};
   if (counts) count(before, updated);
   for (Index node = 0; node < updated.count(); ++node) {
-    if (changes_[node] > options_.most_status_changes) status.flux_coupled[node] = false;
+    if (changes_[node] > options_.most_status_changes || cycles_alone(node)) status.flux_coupled[node] = false;
   }
   return status;
 }
@@ -111,6 +111,8 @@ bool ActiveSet::waits(const NodeFlags& before, const NodeFlags& updated) {
   return laws_.between_rigid_bodies && any(before) && !any(updated) && !std::exchange(has_waited_, true);
 }
 
+bool ActiveSet::cycles_alone(Index node) const { return repeated_changes_[node] >= options_.most_changes_alone; }
+
 bool ActiveSet::was_at_edge(Index node) const {
   return laws_.multipliers.accepted_traction[node] < 0 && !laws_.multipliers.flux_coupled[node];
 }
@@ -119,8 +121,7 @@ bool ActiveSet::reconsiders_edge(const NodalLoads& solution) {
   bool any_new = false;
   for (Index node = 0; node < laws_.nodes(); ++node) {
     const bool at_edge = solution.in_contact[node] && !solution.flux_coupled[node];
-    const bool cycles = repeated_changes_[node] >= options_.most_status_changes;
-    any_new = any_new || (at_edge && !cycles && !was_at_edge(node));
+    any_new = any_new || (at_edge && !cycles_alone(node) && !was_at_edge(node));
   }
   if (!any_new || std::exchange(has_reconsidered_, true)) return false;
   changes_.fill(laws_.nodes(), 0);

@@ -17,6 +17,9 @@ struct ActiveSetOptions {
   /// A node whose status changes more often than this within a time step is at the edge of contact: it has closed,
   /// opened and closed again. The limit also holds for nodes of the secondary surface that face contact.
   int most_status_changes = 3;
+  /// A node is also at the edge of contact if it has changed so often since the last iteration in which any node changed
+  /// for the first time: it has opened and closed again, or the reverse, by itself.
+  int most_changes_alone = 2;
   /// Nodes that have changed more often than this within a time step cycle. Only one of them then changes in an
   /// iteration, together with all nodes that do not cycle.
   int most_joint_changes = 2 * most_status_changes;
@@ -122,7 +125,7 @@ class ActiveSet {
   /// True if a solution has nodes at the edge of contact that have to be tried once more, because other nodes may have
   /// caused their changes. It then resets all counts, such that the next iteration couples their fluxes again.
   ///
-  /// A node remains at the edge if it has changed most_status_changes times since the last iteration in which any node
+  /// A node remains at the edge if it has changed most_changes_alone times since the last iteration in which any node
   /// changed for the first time, or if it was an edge node in the last accepted step. The result is true at most once
   /// after the start of iterations.
   bool reconsiders_edge(const NodalLoads& solution);
@@ -165,6 +168,8 @@ class ActiveSet {
   /// friction could not hold the node. It is true once in a step; a node that should stick does so in the next
   /// iteration.
   bool turns_round(const NodalLoads& predicted, Index node) const;
+  /// True if a node opens and closes by itself (see ActiveSetOptions::most_changes_alone).
+  bool cycles_alone(Index node) const;
   /// True if a node was in contact and not flux-coupled in the last accepted step.
   bool was_at_edge(Index node) const;
   /// Counts the changes of status in an iteration.
