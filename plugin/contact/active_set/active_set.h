@@ -17,8 +17,8 @@ struct ActiveSetOptions {
   /// A node whose status changes more often than this within a time step is at the edge of contact: it has closed,
   /// opened and closed again. The limit also holds for nodes of the secondary surface that face contact.
   int most_status_changes = 3;
-  /// A node is also at the edge of contact if it has changed so often since the last iteration in which any node changed
-  /// for the first time: it has opened and closed again, or the reverse, by itself.
+  /// A node is also at the edge of contact if it has changed this often since the last iteration in which any node
+  /// changed for the first time: it opens and closes by itself.
   int most_changes_alone = 2;
   /// Nodes that have changed more often than this within a time step cycle. Only one of them then changes in an
   /// iteration, together with all nodes that do not cycle.

@@ -106,6 +106,16 @@ BOOST_AUTO_TEST_CASE(nodes_that_keep_changing_carry_load_but_are_not_flux_couple
   BOOST_TEST(output(*approach.contact, approach.scene.fields).balance.area > 0);
 }
 
+BOOST_AUTO_TEST_CASE(nodes_that_close_a_second_time_by_themselves_are_not_flux_coupled) {
+  Approach approach(-0.125);
+  approach.move_to(0.125);
+  BOOST_TEST(approach.flux_coupled() == all);
+  approach.move_to(-0.125);
+  approach.move_to(0.125);
+  BOOST_TEST(approach.closed() == all);
+  BOOST_TEST(approach.flux_coupled() == 0);
+}
+
 namespace {
 
 /// An active set in which node 0 opens and closes until it is at the edge, and node 1 closes in the last of these
