@@ -41,11 +41,11 @@ void check(const ContactState& state, const PerSide<SurfaceMesh>& mesh, const Ef
     require(fits(state.carriers[pass], mesh[both_sides.at(pass)].facets),
             "load carriers of pass " + std::to_string(pass));
   }
-  require(state.faced.size() == passes, "nodes that face contact in " + std::to_string(state.faced.size()) + " passes");
+  require(state.faced.size() == passes, "facing nodes of " + std::to_string(state.faced.size()) + " passes");
   for (std::size_t pass = 0; pass < passes; ++pass) {
     const NodeFlags& faced = state.faced[pass];
     require(faced.empty() || faced.count() == mesh[other(both_sides.at(pass))].nodes,
-            "nodes that face contact in pass " + std::to_string(pass));
+            "facing nodes of pass " + std::to_string(pass));
   }
 }
 
