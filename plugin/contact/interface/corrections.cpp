@@ -17,7 +17,7 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
   return all;
 }
 
-bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+bool correct(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::stiffness);
   bool changed = false;
   for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
@@ -39,7 +39,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
   return is_known;
 }
 
-void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads) {
+void has_matrix(const ContactInterface& contact, const PerSide<bool>& has_loads) {
   for_each_moving(contact, [&](Side side, MovingGeometry& moving) { moving.held().has_matrix(has_loads[side]); });
 }
 

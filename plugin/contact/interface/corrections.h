@@ -12,7 +12,7 @@ bool serves_again(const ContactInterface& contact, const PerSide<SurfaceFields>&
 
 /// Begins an iteration with the corrected linearisation of the last one (see HeldLinearisation::correct()). Returns
 /// true if loads change.
-bool correct(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+bool correct(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 /// Adds the residual of the change of the loads at the start of the iteration (see
 /// HeldLinearisation::residual_change()). Returns false if the change is unknown.
@@ -21,7 +21,7 @@ bool residual_change(const ContactInterface& contact, const PerSide<SurfaceField
 
 /// Notes that the host has assembled a matrix with the present linearisations. `has_loads`: per side, true if load
 /// blocks are unknowns of the matrix, such that nodes can be released and added.
-void has_matrix(ContactInterface& contact, const PerSide<bool>& has_loads);
+void has_matrix(const ContactInterface& contact, const PerSide<bool>& has_loads);
 
 /// Calls use(side, linearisation) for each pass whose linearisation can be corrected. `side`: the surface over which it
 /// integrates.

@@ -14,7 +14,7 @@ struct SidedPass {
   /// Nodes of the other surface that face contact, during iterations; empty outside of them.
   std::optional<NodeFlags> faced;
   /// Nodes of the other surface that faced contact at the end of the last step; empty before the first one.
-  NodeFlags faced_before = {};
+  NodeFlags faced_before;
   IndexedVector<int> faced_changes;  ///< number of changes in `faced` since the start of iterations, per node
   bool has_reconsidered = false;     ///< true if reconsiders_facing() has been true since the start of iterations
   Reach reach = 0;                   ///< search distances of the last search

@@ -172,7 +172,7 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   return changed;
 }
 
-void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) {
+void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) const {
   for_each_moving(*this, [&](Side side, MovingGeometry& moving) { moving.linearise_at(seen_from(side, fields)); });
 }
 
@@ -430,12 +430,12 @@ void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
   for (const SidedPass& pass : contact.passes_) pass.integral->laws().update_penalties();
 }
 
-void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
+void hold_loads(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = contact.measurements().clock(Task::residual);
   for_each_moving(contact, [&](Side side, MovingGeometry& moving) { moving.hold_loads(seen_from(side, fields)); });
 }
 
-void forget_past(ContactInterface& contact) {
+void forget_past(const ContactInterface& contact) {
   for_each_moving(contact, [](Side /*side*/, MovingGeometry& moving) { moving.forget_past(); });
 }
 

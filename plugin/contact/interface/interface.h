@@ -51,7 +51,7 @@ class ContactInterface {
   bool begin_iteration(const PerSide<SurfaceFields>& fields);
   /// Moves the linearisation point of an iteration to another state (see MovingGeometry::linearise_at), after
   /// project().
-  void linearise_at(const PerSide<SurfaceFields>& fields);
+  void linearise_at(const PerSide<SurfaceFields>& fields) const;
   /// Ends the iterations: removes the linearisation, such that the laws apply to the true gaps and jumps.
   void end_iterations();
   /// True if a state at the end of iterations is a solution of the true laws.
@@ -151,7 +151,8 @@ class ContactInterface {
 template <class Use>
 void for_each_moving(const ContactInterface& contact, const Use& use) {
   for (std::size_t pass = 0; pass < contact.passes(); ++pass) {
-    if (MovingGeometry* const moving = contact.pass(pass).geometry().moving()) use(both_sides.at(pass), *moving);
+    ContactGeometry& geometry = contact.pass(pass).geometry();
+    if (geometry.moving() != nullptr) use(both_sides.at(pass), *geometry.moving());
   }
 }
 
@@ -173,10 +174,10 @@ void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes);
 
 /// Decides status and loads at a state for a residual without a tangent, for explicit dynamics (see
 /// MovingGeometry::hold_loads). project() has to be called before.
-void hold_loads(ContactInterface& contact, const PerSide<SurfaceFields>& fields);
+void hold_loads(const ContactInterface& contact, const PerSide<SurfaceFields>& fields);
 
 /// Discards the data of past iterations and steps, such that later iterations depend on the state only. A continued run
 /// then gives the same results.
-void forget_past(ContactInterface& contact);
+void forget_past(const ContactInterface& contact);
 
 }  // namespace mixture_contact
