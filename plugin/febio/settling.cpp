@@ -59,14 +59,14 @@ class UndecidedNodes {
     if (!are_any()) return false;
     const PerSide<Matrix3Xd> displacements = assembly_.displacements(answer.x);
     const PerSide<SurfaceFields> fields = assembly_.contact().fields();
-    bool are_any = false;
+    bool finds_any = false;
     for_each_correctable(core(), [&](Side side, HeldLinearisation& held) {
       const TaskClock timed = core().measurements().clock(Task::stiffness);
       const NodeFlags found = held.find_nearing(seen_from(side, displacements), seen_from(side, fields));
-      are_any = are_any || any(found);
+      finds_any = finds_any || any(found);
       std::transform(found.begin(), found.end(), opened_[side].begin(), opened_[side].begin(), std::logical_or<>());
     });
-    if (!are_any) return false;
+    if (!finds_any) return false;
     loads_ = assembly_.undecided_loads(dt_);
     return follow(answer);
   }

@@ -76,9 +76,11 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings) {
-  const IndexedVector<std::optional<SurfaceHit>> hits = hits_of_nodes(mesh[other(pass.side)], mesh[pass.side],
-                                                                      seen_from(other(pass.side), position), pass.reach,
-                                                                      settings.search.tolerance);
+  if (!pass.hits) {
+    pass.hits = hits_of_nodes(mesh[other(pass.side)], mesh[pass.side], seen_from(other(pass.side), position),
+                              pass.reach, settings.search.tolerance);
+  }
+  const IndexedVector<std::optional<SurfaceHit>>& hits = *pass.hits;
   const VectorXd share = VectorXd::NullaryExpr(in_contact.count(),
                                                [&](Index node) { return in_contact[node] ? 1.0 : 0.0; });
   IndexedVector<FacingNode> nodes(hits.size());

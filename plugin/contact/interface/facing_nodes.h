@@ -9,7 +9,7 @@ namespace mixture_contact {
 
 /// A pass with its side, and the status of the nodes of the other surface.
 struct SidedPass {
-  Side side;  ///< side of the surface over which the pass integrates
+  Side side = Side::primary;  ///< side of the surface over which the pass integrates
   std::unique_ptr<ContactPass> integral;
   /// Nodes of the other surface that face contact, during iterations; empty outside of them.
   std::optional<NodeFlags> faced;
@@ -18,6 +18,9 @@ struct SidedPass {
   IndexedVector<int> faced_changes;  ///< number of changes in `faced` since the start of iterations, per node
   bool has_reconsidered = false;     ///< true if reconsiders_facing() has been true since the start of iterations
   Reach reach = 0;                   ///< search distances of the last search
+  /// The points that the nodes of the other surface face at the present positions, if facing_nodes() has searched for
+  /// them.
+  mutable std::optional<IndexedVector<std::optional<SurfaceHit>>> hits;
 };
 
 /// The point that a node of the secondary surface of a pass faces.
@@ -42,7 +45,7 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
                                                        const FacingPositions& x, const Settings& settings);
 
 /// The points that nodes of the other surface face. `in_contact`: nodes in contact of the surface over which the pass
-/// integrates.
+/// integrates. It searches only if the pass has no hits for the present positions.
 IndexedVector<FacingNode> facing_nodes(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh,
                                        const PerSide<Matrix3Xd>& position, const NodeFlags& in_contact,
                                        const Settings& settings);

@@ -19,7 +19,10 @@ void keep_worst(FieldGap& worst, const FieldGap& gap) {
 }
 
 SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& effects, const Settings& settings) {
-  return {side, std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings), {}, {}, {}};
+  SidedPass pass;
+  pass.side = side;
+  pass.integral = std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings);
+  return pass;
 }
 
 /// The largest distance by which two surfaces may have moved relative to each other [length].
@@ -51,8 +54,6 @@ void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reac
   pass.reach = reach;
   pass.integral->project(seen_from(pass.side, position), reach);
 }
-
-bool moves(const SidedPass& pass) { return pass.integral->geometry().moving() != nullptr; }
 
 /// The nodes of the other surface that face contact in the present step.
 NodeFlags facing_in_step(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
@@ -120,6 +121,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   searched_ = search_all;
   if (accepted_[Side::primary].cols() == 0) accepted_ = start_of_step(settings_, mesh_, position_);
   for (SidedPass& pass : passes_) {
+    pass.hits.reset();
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (search_all) {
       find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
@@ -132,7 +134,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
   for (SidedPass& pass : passes_) {
-    if (pass.faced && moves(pass)) {
+    if (pass.faced) {
       const NodeFlags& in_contact = pass.integral->flux_coupled();
       pass.faced_before = facing_contact(pass, facing_nodes(pass, mesh_, position_, in_contact, settings_));
     }
@@ -267,10 +269,8 @@ bool ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
   {
     const TaskClock timed = measurements_.clock(Task::stiffness);
-    for (SidedPass& pass : passes_) {
-      if (pass.faced && !moves(pass)) continue;
+    for (SidedPass& pass : passes_)
       hold_facing(pass, facing_in_step(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
-    }
   }
   PerSide<NodeFlags> nodes = nodes_in_contact();
   for (const Side side : both_sides) nodes[side] = with_joined(std::move(nodes[side]), mesh_[side]);
@@ -389,7 +389,7 @@ void ContactInterface::update_laws(const Settings& settings) {
 
 bool faces_as_held(const ContactInterface& contact) {
   return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
-    if (!pass.faced || !moves(pass)) return true;
+    if (!pass.faced) return true;
     NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                       contact.settings_);
     return next_facing(pass, std::move(facing)) == *pass.faced;
@@ -403,7 +403,7 @@ bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& f
     any = moving.reconsiders_edge(seen_from(side, fields)) || any;
   });
   for (SidedPass& pass : contact.passes_) {
-    if (!pass.faced || !moves(pass)) continue;
+    if (!pass.faced) continue;
     const NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
                                             contact.settings_);
     any = reconsiders_facing(pass, facing) || any;
