@@ -14,6 +14,7 @@
 #include <FECore/FEGlobalVector.h>
 
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -33,6 +34,13 @@ newton::Condition changed_condition(newton::Condition follows, double traction, 
     follows.value = -traction / factor;
   }
   return follows;
+}
+
+/// The numbers 0, 1, ... up to `count`.
+IndexedVector<int> counted(Index count) {
+  IndexedVector<int> numbers(indexing::entries(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
 }
 
 /// The equations of a contact's nodes, which are gathered when they are first needed.
@@ -181,6 +189,16 @@ std::vector<UndecidedLoad> Assembly::undecided_loads(double dt) const {
       held.add_loads(nodes, dt, [&](const LoadBlock& load) { add(side, load, in_contact); });
     });
   }
+  return found;
+}
+
+std::vector<int> Assembly::equations() const {
+  const ContactInterface& core = contact_.core();
+  const Patch whole{counted(core.mesh(Side::primary).nodes), counted(core.mesh(Side::secondary).nodes),
+                    counted(core.effects().nodal_fields())};
+  std::vector<int> found = NodeEquations(contact_).coupled({Side::primary, whole});
+  found.resize(found.size() + indexing::entries(loads_.count()));
+  std::iota(found.end() - loads_.count(), found.end(), loads_.first());
   return found;
 }
 

@@ -53,6 +53,8 @@ class Assembly {
   /// The tractions that may be removed from the matrix or added to it at the start of an iteration. Nodes that depend
   /// on prescribed values are excluded.
   std::vector<UndecidedLoad> undecided_loads(double dt) const;
+  /// The equations of all nodes and loads of the contact, on which its conditions and deferred parts depend.
+  std::vector<int> equations() const;
   /// The displacements of the surfaces' nodes by an increment [mm]; zero for nodes without equations of their own.
   mixture_contact::PerSide<mixture_contact::Matrix3Xd> displacements(const std::vector<double>& increment) const;
   const BoundContact& contact() const { return contact_; }

@@ -181,7 +181,7 @@ ModelContacts::ModelContacts(FEModel& fem)
       helpers_(solver_),
       steps_(*this, helpers_),
       ambient_(fem, solver_, helpers_),
-      matrix_(system_) {
+      matrix_(system_, [this] { return equations(active()); }) {
   const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
     const auto is_helper_on = [this, which] { return devices_.is_on(which.device) && is_asked_for(which, active()); };
     helpers_.add(which.device, std::move(helper), is_helper_on, devices_.record());

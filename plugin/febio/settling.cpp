@@ -126,6 +126,15 @@ std::vector<newton::Condition> conditions(const std::vector<ContactInModel*>& co
   return all;
 }
 
+std::vector<int> equations(const std::vector<ContactInModel*>& contacts) {
+  std::vector<int> all;
+  for (const ContactInModel* contact : contacts) {
+    const std::vector<int> own = contact->assembly().equations();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts) {
   newton::MatrixParts parts;
   for (const ContactInModel* contact : contacts) parts.push_back(&contact->assembly().beside_matrix());

@@ -29,5 +29,7 @@ bool settle(const SettledModel& model, newton::KeptMatrix& matrix);
 
 /// The conditions that correct the matrix for the present status of these contacts (see Assembly::conditions()).
 std::vector<newton::Condition> conditions(const std::vector<ContactInModel*>& contacts, double dt);
+/// The equations on which the conditions and deferred parts of these contacts depend (see Assembly::equations()).
+std::vector<int> equations(const std::vector<ContactInModel*>& contacts);
 /// The deferred coupling terms of these contacts.
 newton::MatrixParts matrix_parts(const std::vector<ContactInModel*>& contacts);

@@ -123,8 +123,10 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
   }
   const bool begins = !point_ && !augmented_ && !active_set_.is_restricted();
   if (!begins || !closes_overlapped(laws_, any(status))) return status;
-  const NodeFlags overlapped = overlapped_nodes(space_);
-  std::transform(status.begin(), status.end(), overlapped.begin(), status.begin(), std::logical_or<>());
+  const bool is_free = laws_.close_overlapped && !any(status);
+  NodeFlags touching = overlapped_nodes(space_);
+  if (is_free && !any(touching)) touching = nearest_nodes(space_);
+  std::transform(status.begin(), status.end(), touching.begin(), status.begin(), std::logical_or<>());
   return status;
 }
 

@@ -6,6 +6,8 @@
 #include "mortar/slips.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -245,15 +247,47 @@ Patch MortarSpace::columns_of(const Patch& patch, int field) const {
   return patch.of_field(field, patch.displacements && !symmetric_);
 }
 
-NodeFlags overlapped_nodes(const MortarSpace& space) {
-  NodeFlags found(space.nodes(), false);
+namespace {
+
+/// Calls use(node, gap, area) with the average gap of each facet around each of its nodes, and the area over which it
+/// is averaged.
+template <class Use>
+void for_each_gap(const MortarSpace& space, const Use& use) {
   for (const FacetPair& pair : space.facing().pairs()) {
     const Facet& facet = space.facing().primary_facet(pair);
     const FacetGapSums sums = space.gap_sums(pair);
     for (Index a = 0; a < sums.cols(); ++a) {
-      if (sums(1, a) < space.offset() * sums(0, a)) found[facet.node(a)] = true;
+      if (sums(0, a) > 0) use(facet.node(a), sums(1, a) / sums(0, a) - space.offset(), sums(0, a));
     }
   }
+}
+
+}  // namespace
+
+NodeFlags overlapped_nodes(const MortarSpace& space) {
+  NodeFlags found(space.nodes(), false);
+  for_each_gap(space, [&](int node, double gap, double /*area*/) { found[node] = found[node] || gap < 0; });
+  return found;
+}
+
+NodeFlags nearest_nodes(const MortarSpace& space) {
+  // The limits are choices: bodies that touch in the model are separated by the difference of their facets from curved
+  // faces; nodes at similar distances keep a body from turning.
+  constexpr double largest_share = 0.1;
+  constexpr double similar = 2;
+  double least = std::numeric_limits<double>::infinity();
+  int nearest = 0;
+  VectorXd areas = VectorXd::Zero(space.nodes());
+  for_each_gap(space, [&](int node, double gap, double area) {
+    areas[node] += area;
+    if (gap >= least) return;
+    least = gap;
+    nearest = node;
+  });
+  NodeFlags found(space.nodes(), false);
+  if (least < 0 || least > largest_share * std::sqrt(areas[nearest])) return found;
+  for_each_gap(space,
+               [&](int node, double gap, double /*area*/) { found[node] = found[node] || gap <= similar * least; });
   return found;
 }
 

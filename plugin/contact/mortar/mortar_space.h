@@ -121,5 +121,8 @@ inline MatrixXd own_values(const FacingFields& fields, const Effects& effects) {
 
 /// Nodes of facets that overlap with the other surface in part, even if the nodes' average gaps are open.
 NodeFlags overlapped_nodes(const MortarSpace& space);
+/// Nodes of the facets that are nearest to the other surface, if a small part of a facet's size separates them. None if
+/// surfaces overlap or are farther away.
+NodeFlags nearest_nodes(const MortarSpace& space);
 
 }  // namespace mixture_contact

@@ -78,7 +78,7 @@ std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& condition
 
 void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
-    return border_.solution(solve_all(), conditions, solution(solve_all(), right));
+    return solution_with(conditions, right, solution(solve_all(), right));
   };
   finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
                     left_by_sweeps),
@@ -168,6 +168,12 @@ std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& righ
   return solution(solve_all(), right);
 }
 
+std::vector<double> KeptMatrix::solution_with(const std::vector<Condition>& conditions, std::vector<double> right,
+                                              std::vector<double> free) {
+  if (conditions.empty() || !border_.hold(solve_all(), conditions, free, right)) return free;
+  return solution(solve_all(), right);
+}
+
 void KeptMatrix::undo_operations() {
   const MatrixRows rows(system_.matrix());
   for (const RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
@@ -187,7 +193,7 @@ void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixP
     return std::exchange(is_checked, true) ? solution(solve_all(), each) : checked_solution(each);
   };
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
-    return border_.solution(solve_all(), conditions, solve(each));
+    return solution_with(conditions, each, solve(each));
   };
   const bool solves_anyway = !are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // solved only to check the row operations

@@ -20,8 +20,8 @@ namespace newton {
 /// includes deferred parts.
 class KeptMatrix {
  public:
-  /// Keeps a reference to the equation system.
-  explicit KeptMatrix(const FEBioSystem& system) : system_(system) {}
+  /// Keeps a reference to the equation system. `read`: lists the equations that conditions and deferred parts read.
+  KeptMatrix(const FEBioSystem& system, ListEquations read) : system_(system), border_(std::move(read)) {}
 
   /// Notes that FEBio has assembled a new matrix after an announcement. The next solution includes the deferred parts
   /// `parts`.
@@ -102,6 +102,10 @@ class KeptMatrix {
   /// The solution for a right-hand side to which the row operations have not been applied. If row operations have
   /// caused inaccurate pivots, it restores the rows of the matrix and solves again.
   std::vector<double> checked_solution(const std::vector<double>& right);
+  /// The solution with these conditions, or without them if they cannot be met. `free`: solution for `right` without
+  /// them.
+  std::vector<double> solution_with(const std::vector<Condition>& conditions, std::vector<double> right,
+                                    std::vector<double> free);
   /// Reverses the row operations of this matrix, allows none for later matrices, and logs this once.
   void undo_operations();
   /// Makes later matrices include the deferred parts, and logs this once.
