@@ -39,8 +39,8 @@ class BoundContact : public mixture_contact::SteppedContact {
   void prepare_step() override;
   void note_beginning() override;
   /// Notes that a step has failed. If the step began without a node in contact, and before contact has borne a load,
-  /// the next attempt begins with contact at all nodes around overlapping points. Returns a line for the log the first
-  /// time that a failed step began without a node in contact, otherwise an empty text.
+  /// the next attempt begins with contact at all nodes around overlapping points, or at the nearest nodes. Returns a
+  /// line for the log the first time that a failed step began without a node in contact, otherwise an empty text.
   std::string fail_step();
 
   /// Sets the unknown multipliers of a trial state: values at the start of the step plus FEBio's increments.

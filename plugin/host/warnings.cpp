@@ -41,7 +41,8 @@ std::string open_contact_line(const std::string& contact) {
   return "sliding-mixture \"" + contact +
          "\": the failed step began without a node in contact. A body that this contact alone supports moves freely "
          "without contact. Gaps are averages around the nodes of the primary surface, and may be open although single "
-         "points overlap. The next attempt begins with the nodes around overlapping points in contact. If it fails too, "
+         "points overlap. The next attempt begins with the nodes around overlapping points in contact, or with the nearest "
+         "nodes if nothing overlaps. If it fails too, "
          "let the surfaces overlap more at the start, bring them together by a prescribed displacement first, or refine "
          "the primary surface. The log reports this once in a run.";
 }

@@ -42,6 +42,14 @@ def test_an_open_contact_that_should_hold_a_body_is_named(runner, tmp_path):
     assert '"joint"' in found.output.split(SAID)[0][-60:]
 
 
+def test_bodies_that_nearly_touch_come_into_contact_at_the_second_attempt(runner, tmp_path):
+    """A block that a gap of a fiftieth of a facet separates from the body that has to hold it."""
+    found = _run(tmp_path, gap=0.01, pressure=0.01)
+    assert found.report.normal, found.report.errors
+    assert found.output.count(SAID) == 1
+    assert found.report.retries == 1
+
+
 @pytest.mark.parametrize("name", ["punch-incompressible", "punch-round-friction"])
 def test_points_that_overlap_hold_a_rigid_body_at_the_first_attempt(runner, tmp_path, name):
     """A sphere under a force: its lowest points overlap, and averages around the nodes are open."""

@@ -162,9 +162,9 @@ class NodalLaws {
   VectorXd field_rounding(const FacingFields& fields, double surface_size) const;
 
   Multipliers multipliers;
-  /// True if a step begins with contact at all nodes around points that overlap: after an attempt that failed without
-  /// contact, or before contact has borne a load. With too few nodes in contact, a body might be free to rotate. A
-  /// closed node in tension opens again.
+  /// True if a step begins with contact at all nodes around points that overlap, or else at the nearest nodes: after an
+  /// attempt that failed without contact, or before contact has borne a load. With too few nodes in contact, a body
+  /// might be free to rotate. A closed node in tension opens again.
   bool close_overlapped = false;
   /// True if no node of either surface has displacements of its own.
   bool between_rigid_bodies = false;

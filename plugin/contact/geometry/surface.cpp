@@ -87,6 +87,15 @@ double longest_edge(const Facet& facet, const Matrix3Xd& position) {
   return longest;
 }
 
+VectorXd longest_edges(const SurfaceMesh& mesh, const Matrix3Xd& position) {
+  VectorXd longest = VectorXd::Zero(mesh.nodes);
+  for (const Facet& facet : mesh.facets) {
+    const double edge = longest_edge(facet, position);
+    for (const int node : facet) longest[node] = std::max(longest[node], edge);
+  }
+  return longest;
+}
+
 double half_diagonal(const Matrix3Xd& position) {
   return 0.5 * (position.rowwise().maxCoeff() - position.rowwise().minCoeff()).norm();
 }

@@ -75,6 +75,8 @@ VectorXd nodal_areas(const SurfaceMesh& mesh, const Matrix3Xd& position);
 
 /// The longest distance between neighbouring corners of a facet [length].
 double longest_edge(const Facet& facet, const Matrix3Xd& position);
+/// The longest edge of the facets around each node; 0 for nodes without facets [length].
+VectorXd longest_edges(const SurfaceMesh& mesh, const Matrix3Xd& position);
 
 /// Half the diagonal of the box around all nodes [length].
 double half_diagonal(const Matrix3Xd& position);

@@ -281,16 +281,14 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   check_.undetected = {};
   if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  const IndexedVector<Facet>& facets = mesh_[Side::primary].facets;
   const NodeFlags in_contact = passes_.front().integral->flux_coupled();
   const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact, settings_);
-  const VectorXd shares = overlap_shares(nodes, with_joined(in_contact, mesh_[Side::primary]), facets,
-                                         position_[Side::primary]);
+  const VectorXd shares = overlap_shares(nodes, with_joined(in_contact, mesh_[Side::primary]), mesh_, position_);
   const bool joins = passes_.size() == 1;
   check_.undetected = overlap_among(nodes, shares, joins ? check_.nodes : passes_.back().integral->flux_coupled());
   const UndetectedPenetration found = overlap_among(nodes, shares, check_.nodes);
   if (found.nodes == 0) return found;
-  check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, facets.count());
+  check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, mesh_[Side::primary].facets.count());
   restrict_second_pass();
   find_points(passes_.back(), position_, reach_in_step(settings_, accepted_, position_));
   if (joins) passes_.back().integral->geometry().moving()->start_inactive(seen_from(Side::secondary, fields));

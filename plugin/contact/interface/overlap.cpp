@@ -3,19 +3,6 @@
 #include <algorithm>
 
 namespace mixture_contact {
-namespace {
-
-/// The longest edge of the facets around each node; 0 for nodes without facets.
-VectorXd longest_edges(const SurfaceMesh& mesh, const Matrix3Xd& position) {
-  VectorXd longest = VectorXd::Zero(mesh.nodes);
-  for (const Facet& facet : mesh.facets) {
-    const double edge = longest_edge(facet, position);
-    for (const int node : facet) longest[node] = std::max(longest[node], edge);
-  }
-  return longest;
-}
-
-}  // namespace
 
 Overlap largest_overlap(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
   Overlap found;

@@ -14,17 +14,18 @@ namespace mixture_contact {
 struct UndetectedPenetration {
   int nodes = 0;     ///< number of nodes deeper than penetration_tolerance
   double depth = 0;  ///< largest depth [mm]
-  double share = 0;  ///< largest depth relative to the longest edge of the facet that the node faces [-]
+  double share = 0;  ///< largest depth relative to the length of overlap_shares() [-]
 };
 
-/// Largest overlap of sound meshes, relative to the longest edge of a facet. A facet deviates from an arc between its
-/// ends by 1/8 of the angle of the arc, here 0.4 (16 facets around a circle).
+/// Largest overlap of sound meshes, relative to the longest edge of a facet of a curved surface. A facet deviates from
+/// an arc between its ends by 1/8 of the angle of the arc, here 0.4 (16 facets around a circle).
 inline constexpr double penetration_tolerance = 0.05;
 
-/// Per secondary node, its overlap with a primary facet away from contact, relative to the facet's longest edge; 0 at
-/// all other nodes.
+/// Per secondary node, its overlap with a primary facet away from contact, relative to a length; 0 at all other nodes.
+/// The length is the longest edge of the primary facet, in proportion to the angle between that facet and the next ones
+/// below 0.4, but at least the longest edge around the node: a flat facet overlaps with nothing by its shape.
 VectorXd overlap_shares(const IndexedVector<FacingNode>& nodes, const NodeFlags& primary_in_contact,
-                        const IndexedVector<Facet>& primary, const Matrix3Xd& x1);
+                        const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position);
 
 /// The penetration of all nodes deeper than the tolerance, except the nodes in `but`. `shares`: result of
 /// overlap_shares().

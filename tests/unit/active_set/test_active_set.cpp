@@ -243,6 +243,18 @@ BOOST_AUTO_TEST_CASE(an_attempt_after_a_failed_one_begins_with_all_overlapping_p
   BOOST_TEST(!laws.close_overlapped);
 }
 
+BOOST_AUTO_TEST_CASE(an_attempt_after_a_failed_one_begins_with_the_nearest_nodes_of_surfaces_that_nearly_touch) {
+  Approach approach(-0.02, elastic);
+  NodalLaws& laws = approach.contact->pass(0).laws();
+  BOOST_TEST(approach.closed_where_a_step_begins() == 0);
+  laws.close_overlapped = true;
+  BOOST_TEST(approach.closed_where_a_step_begins() == all);
+  approach.move_to(-0.01, -0.04);
+  BOOST_TEST(approach.closed_where_a_step_begins() == 6);  // the gap around the others is more than twice the smallest
+  approach.move_to(-0.1);
+  BOOST_TEST(approach.closed_where_a_step_begins() == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_step_begins_with_all_overlapping_points_where_a_free_rigid_body_has_no_node_in_contact) {
   Approach approach(-0.1, elastic, 0, 3);
   NodalLaws& laws = approach.contact->pass(0).laws();

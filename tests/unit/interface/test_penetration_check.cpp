@@ -5,14 +5,17 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace test;
 
 namespace {
 
 constexpr double dt = 0.25;
-constexpr double around = 0.04;                     // gap next to the spike
-constexpr double deep = 2 * penetration_tolerance;  // the edge of the primary facet is 1
+constexpr double around = 0.04;                          // gap next to the spike
+constexpr int cells = 8;                                 // of the secondary surface; its facets have edges of 1/8
+constexpr double least = penetration_tolerance / cells;  // largest overlap that is not detected at a flat facet
+constexpr double deep = 2 * penetration_tolerance;       // the edge of the primary facet is 1
 
 /// A secondary surface of eight by eight facets with a spike in the middle, opposite a single primary facet.
 struct Spike {
@@ -22,7 +25,7 @@ struct Spike {
 
   explicit Spike(double depth, double gap = around, Settings settings = explicit_settings(4, 2, 8),
                  FacetType primary = FacetType::quad4)
-      : scene(facing_grids(primary, FacetType::quad4, -gap, 1, 8), effects_of(true, 1), settings) {
+      : scene(facing_grids(primary, FacetType::quad4, -gap, 1, cells), effects_of(true, 1), settings) {
     tip = spike_at(0.5, depth);
     scene.set_field(0, 0.5, 0.25);
     scene.set_field(1, 1, 3);
@@ -30,8 +33,8 @@ struct Spike {
   }
 
   /// Replaces the primary facet by a row of facets, and makes the secondary surface flat.
-  void over_row(int cells) {
-    const GridSurface row = grid_surface({FacetType::quad4, cells, 1}, scene.effects.scalar_fields());
+  void over_row(int facets) {
+    const GridSurface row = grid_surface({FacetType::quad4, facets, 1}, scene.effects.scalar_fields());
     scene.mesh[Side::primary] = row.mesh;
     scene.fields[Side::primary] = {row.position, MatrixXd::Zero(row.mesh.nodes, scene.effects.scalar_fields())};
     scene.fields[Side::secondary].position.row(2).setConstant(around);
@@ -67,7 +70,7 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_detected_once) {
   const UndetectedPenetration found = spike.check();
   BOOST_TEST(found.nodes == 1);
   BOOST_TEST(std::abs(found.depth - deep) <= rounding);
-  BOOST_TEST(std::abs(found.share - deep) <= rounding);
+  BOOST_TEST(std::abs(found.share - deep / std::hypot(1.0 / cells, deep + around)) <= rounding);  // edges of the spike
   BOOST_TEST(spike.contact->passes() == 2u);
   BOOST_TEST(!spike.contact->is_solution(spike.scene.fields));
   spike.go_on();
@@ -78,7 +81,8 @@ BOOST_AUTO_TEST_CASE(an_overlap_that_primary_nodes_miss_is_detected_once) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_detected_where_nothing_is_missed) {
   const auto detected = [](Spike spike) { return spike.check().nodes; };
-  BOOST_TEST(detected(Spike(0.5 * penetration_tolerance)) == 0);
+  BOOST_TEST(detected(Spike(0.9 * least)) == 0);
+  BOOST_TEST(detected(Spike(1.1 * least)) == 1);
   BOOST_TEST(detected(Spike(-deep, 2 * deep)) == 0);    // a gap
   BOOST_TEST(detected(Spike(deep, -0.5 * deep)) == 0);  // the primary facet is in contact
   Settings settings = explicit_settings(4, 2, 8);
@@ -111,7 +115,7 @@ BOOST_AUTO_TEST_CASE(nodes_that_face_no_entered_facet_cannot_close) {
   Spike spike(deep);
   Scene& scene = spike.scene;
   spike.over_row(2);
-  const std::array<Index, 2> tips{spike.spike_at(0.25, deep), spike.spike_at(0.75, 0.9 * penetration_tolerance)};
+  const std::array<Index, 2> tips{spike.spike_at(0.25, deep), spike.spike_at(0.75, 0.9 * least)};
   spike.begin();
   BOOST_TEST(spike.check().nodes == 1);
   spike.go_on();
@@ -136,6 +140,28 @@ BOOST_AUTO_TEST_CASE(nothing_is_detected_beside_facets_in_contact) {
   };
   BOOST_TEST(detected(0.5) == 0);
   BOOST_TEST(detected(0.875) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_overlap_of_facets_with_an_arc_is_not_detected) {
+  // Two primary facets with an angle between them, and a spike in the middle of the first one.
+  const auto detected = [](double angle, double share) {
+    Spike spike(deep);
+    spike.over_row(2);
+    Matrix3Xd& x1 = spike.scene.fields[Side::primary].position;
+    for (Index node = 0; node < x1.cols(); ++node) {
+      if (x1(0, node) > 0.75) x1.col(node) += 0.5 * Vector3d(std::cos(angle) - 1, 0, -std::sin(angle));
+    }
+    const double edge = 1;  // across the row
+    spike.spike_at(0.25, share * penetration_tolerance * edge);
+    spike.begin();
+    return spike.check().nodes;
+  };
+  constexpr double half = 4 * penetration_tolerance;  // half of the angle of the tolerance
+  BOOST_TEST(detected(half, 0.45) == 0);
+  BOOST_TEST(detected(half, 0.55) == 1);
+  BOOST_TEST(detected(2 * half, 0.95) == 0);
+  BOOST_TEST(detected(2 * half, 1.05) == 1);
+  BOOST_TEST(detected(1.5, 0.45) == 1);  // an edge of the body
 }
 
 BOOST_AUTO_TEST_CASE(residual_and_tangent_agree_with_penetration_check_nodes) {
