@@ -102,7 +102,9 @@ void BoundContact::project() {
   // contact for the step.
   for (std::size_t number = 0; number < core_->passes(); ++number) {
     ContactPass& pass = core_->pass(number);
-    pass.measure_gaps_from(parameters_.gap.offset.value);
+    Settings measured = core_->settings();
+    measured.gap.offset = parameters_.gap.offset.value;
+    pass.update(measured);
     pass.laws().between_rigid_bodies = !is_any_free;
     pass.laws().holds_rigid_body = holds;
   }
@@ -157,7 +159,7 @@ void BoundContact::serialize(DumpStream& ar) {
   NumberedState numbered = numbered_state();
   const NodeNumbers present = numbered.nodes;
   for (IndexedVector<int>& numbers : numbered.nodes) archive(ar, static_cast<std::vector<int>&>(numbers));
-  archive_state(ar, numbered.state, core_->effects());
+  archive_state(ar, numbered.state);
   if (ar.IsSaving()) return;
   if (numbered.nodes == present) {
     core_->restore(std::move(numbered.state));

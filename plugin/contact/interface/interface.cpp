@@ -18,6 +18,10 @@ void keep_worst(FieldGap& worst, const FieldGap& gap) {
   worst.largest = larger(worst.largest, gap.largest);
 }
 
+void keep_worst(IndexedVector<FieldGap>& worst, const IndexedVector<FieldGap>& gaps) {
+  for (Index k = 0; k < worst.count(); ++k) keep_worst(worst[k], gaps[k]);
+}
+
 SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& effects, const Settings& settings) {
   SidedPass pass;
   pass.side = side;
@@ -133,16 +137,17 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
+  bool changes_averages = false;
   for (SidedPass& pass : passes_) {
     if (pass.faced) {
       const NodeFlags& in_contact = pass.integral->flux_coupled();
       pass.faced_before = facing_contact(pass, facing_nodes(pass, mesh_, position_, in_contact, settings_));
     }
-    pass.integral->accept_step(seen_from(pass.side, fields));
+    changes_averages = pass.integral->accept_step(seen_from(pass.side, fields)) || changes_averages;
     pass.integral->laws().close_overlapped = false;
   }
   accepted_ = start_of_step(settings_, mesh_, {{fields[Side::primary].position, fields[Side::secondary].position}});
-  if (!are_linear(pass(0).laws())) end_iterations();  // slips have another reference
+  if (changes_averages) end_iterations();
 }
 
 void ContactInterface::forget_steps() {
@@ -243,14 +248,16 @@ void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPl
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
+  GapReport worst{{},
+                  IndexedVector<FieldGap>(effects_.scalar_fields()),
+                  IndexedVector<FieldGap>(pass(0).laws().tangential_conditions())};
   for (const SidedPass& pass : passes_) {
     // Penalties of a second pass next to unknown multipliers leave gaps that no augmentation closes.
     if (pass.integral->space().has_unknown_multipliers() != this->pass(0).space().has_unknown_multipliers()) continue;
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     keep_worst(worst.traction, report.traction);
+    keep_worst(worst.flux, report.flux);
     keep_worst(worst.slip, report.slip);
-    for (Index k = 0; k < worst.flux.count(); ++k) keep_worst(worst.flux[k], report.flux[k]);
   }
   return worst;
 }
@@ -299,7 +306,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
 
 void ContactInterface::restrict_second_pass() {
   if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
-  passes_.back().integral->slips().restore(seen_from(Side::secondary, pass(0).space().slips().state()));
+  passes_.back().integral->slips().restore(seen_from(Side::secondary, pass(0).slips().state()));
   passes_.back().integral->restrict_active_set(check_.nodes);
 }
 
@@ -313,7 +320,7 @@ ContactInterface::State ContactInterface::state() const {
     state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
     state.faced.push_back(pass.faced_before);
   }
-  state.slips_from = pass(0).space().slips().state();
+  state.slips_from = pass(0).slips().state();
   return state;
 }
 
@@ -372,7 +379,7 @@ void ContactInterface::update_laws(const Settings& settings) {
   settings_.tolerances = settings.tolerances;
   settings_.friction = settings.friction;
   settings_.gap.offset = settings.gap.offset;
-  for (const SidedPass& pass : passes_) pass.integral->measure_gaps_from(settings.gap.offset);
+  for (const SidedPass& pass : passes_) pass.integral->update(settings);
   settings_.traction = settings.traction;
   settings_.solvent = settings.solvent;
   settings_.solute = settings.solute;

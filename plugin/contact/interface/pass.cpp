@@ -3,7 +3,6 @@
 #include "base/bytes.h"
 #include "enforcement/fixed_geometry.h"
 #include "enforcement/moving_geometry.h"
-#include "mortar/slips.h"
 
 namespace mixture_contact {
 namespace {
@@ -54,11 +53,17 @@ void ContactPass::augment(const FacingFields& fields) {
   geometry_->take_multipliers();
 }
 
-void ContactPass::accept_step(const FacingFields& fields) {
+bool ContactPass::accept_step(const FacingFields& fields) {
   NodalLoads loads = nodal_loads(fields);
-  space_.slips().measure_from(positions(fields));
-  set_convection(loads.friction, space_, loads.in_contact, fields.primary.position);
+  const bool changes_averages = space_.kept_slips().measure_from(positions(fields));
+  space_.slips().convect(loads.friction, space_, loads.in_contact, fields.primary.position);
   laws_.accept(loads);
+  return changes_averages;
+}
+
+void ContactPass::update(const Settings& settings) {
+  space_.measure_gaps_from(settings.gap.offset);
+  space_.kept_slips().measure_pressure_from(settings.friction.ambient_pressure);
 }
 
 void ContactPass::forget() {

@@ -35,15 +35,16 @@ class ContactPass {
   /// equilibrium until the gaps close.
   void augment(const FacingFields& fields);
 
-  /// Sets the gap at which the surfaces touch [mm], from which gaps are measured.
-  void measure_gaps_from(double offset) { space_.measure_gaps_from(offset); }
+  /// Sets the gap and the pressure from which averages are measured.
+  void update(const Settings& settings);
 
-  /// The start of the step, from which slips are measured.
-  SlipReference& slips() { return space_.slips(); }
+  /// The averages of slips with the start of the step.
+  SlipAverages& slips() { return space_.kept_slips(); }
+  const SlipAverages& slips() const { return space_.kept_slips(); }
 
   /// Accepts a state as the start of the next step: its loads, flux-coupled nodes, and positions as the reference of
-  /// slips.
-  void accept_step(const FacingFields& fields);
+  /// slips. Returns true if this changes averages, so that the iterations have to end.
+  bool accept_step(const FacingFields& fields);
 
   /// Sets earlier decisions on the nodes that bear load (see BoundaryWeights), for a restart.
   void restore_carriers(LoadCarriers decisions) { space_.boundary_weights().restore(std::move(decisions)); }
