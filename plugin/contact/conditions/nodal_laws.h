@@ -107,8 +107,6 @@ class NodalLaws {
     return {multipliers.flux(field, node), flux_penalty(field, node)};
   }
 
-  /// The number of tangential conditions at a node: 1 with friction, 0 without or while no tractions are exchanged.
-  Index tangential_conditions() const { return effects_.acting_friction() == FrictionKind::none ? 0 : 1; }
   /// The tangential penalty eps_T of a node [N/mm^3], with the factor of augmentations.
   double friction_penalty(Index node) const {
     const double scale = has_soft_gap(node) ? 1.0 : multipliers.friction_penalty_scale;

@@ -15,11 +15,11 @@ struct FieldGap {
 };
 
 /// The errors of all conditions: traction, each exchanged scalar field in the order of Effects, and each tangential
-/// condition.
+/// condition, which is the elastic slip of sticking nodes.
 struct GapReport {
   FieldGap traction;
   IndexedVector<FieldGap> flux;
-  IndexedVector<FieldGap> slip = {};  ///< elastic slip of sticking nodes
+  IndexedVector<FieldGap> slip = {};  // NOLINT(readability-redundant-member-init): lists may leave it out
 };
 
 /// The larger of two values; NaN if one of them is NaN, such that a failed evaluation never counts as converged.

@@ -21,9 +21,9 @@ CommonNodes common_nodes(const IndexedVector<int>& before, const IndexedVector<i
 
 /// The columns of the nodes that a surface had before, those of its other nodes from `now`; empty if `before` is.
 Matrix3Xd carried_columns(const Matrix3Xd& before, const Matrix3Xd& now, const CommonNodes& nodes) {
-  Matrix3Xd columns = before.cols() > 0 ? now : Matrix3Xd();
-  for (Index n = 0; columns.cols() > 0 && n < count_of(nodes); ++n)
-    columns.col(at(nodes, n).first) = before.col(at(nodes, n).second);
+  if (before.cols() == 0) return {};
+  Matrix3Xd columns = now;
+  for (const auto& [node, source] : nodes) columns.col(node) = before.col(source);
   return columns;
 }
 

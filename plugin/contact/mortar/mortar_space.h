@@ -60,8 +60,7 @@ class MortarSpace {
   /// The averages of slips; those of a contact without friction while no tractions are exchanged.
   const SlipAverages& slips() const;
   /// The averages of slips with the start of the step, which they keep while no tractions are exchanged.
-  const SlipAverages& kept_slips() const { return *slips_; }
-  SlipAverages& kept_slips() { return *slips_; }
+  SlipAverages& kept_slips() const { return *slips_; }
 
   /// The average gaps at the positions of the last search or projection.
   const NodalGaps& gaps() const;
