@@ -51,7 +51,8 @@ RigidParts rigid_parts(FEMixtureSurface& surface) {
 
 }  // namespace
 
-PerSide<SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs, const Effects& effects) {
+PerSide<SurfaceFields> fields_of(const DofMap& dofs, const Effects& effects) {
+  ContactSurfaces& surfaces = dofs.surfaces();
   PerSide<SurfaceFields> all;
   PerSide<Matrix3Xd> x = surfaces.positions();
   for (const Side side : both_sides) {
@@ -69,14 +70,14 @@ PerSide<SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs, 
 
 void BoundContact::build(PerSide<SurfaceMesh> meshes, const Effects& effects) {
   core_ = std::make_unique<ContactInterface>(std::move(meshes), effects, core_settings(parameters_));
-  numbers_ = surfaces_.node_numbers();
-  nodes_of_mesh_ = surfaces_[Side::primary].GetFEModel()->GetMesh().Nodes();
+  numbers_ = surfaces().node_numbers();
+  nodes_of_mesh_ = dofs_.fem().GetMesh().Nodes();
 }
 
 NumberedState BoundContact::numbered_state() const { return {numbers_, core_->state()}; }
 
 void BoundContact::go_on_from(const NumberedState& before) {
-  core_->restore(carried_over(before, numbered_state(), surfaces_.positions()));
+  core_->restore(carried_over(before, numbered_state(), surfaces().positions()));
 }
 
 void BoundContact::rewind_to(const NumberedState& before) {
@@ -87,14 +88,14 @@ void BoundContact::rewind_to(const NumberedState& before) {
 }
 
 PerSide<SurfaceFields> BoundContact::fields() const {
-  PerSide<SurfaceFields> all = fields_of(surfaces_, dofs_, core_->effects());
-  for (const Side side : both_sides) all[side].rigid = rigid_parts(surfaces_[side]);
+  PerSide<SurfaceFields> all = fields_of(dofs_, core_->effects());
+  for (const Side side : both_sides) all[side].rigid = rigid_parts(surfaces()[side]);
   return all;
 }
 
 void BoundContact::project() {
   const TaskClock timed = core_->measurements().clock(Task::search);
-  FEModel& fem = *surfaces_[Side::primary].GetFEModel();
+  FEModel& fem = dofs_.fem();
   const bool is_any_free = dofs_.has_free_node(Side::primary) || dofs_.has_free_node(Side::secondary);
   const bool holds = !has_inertia(fem) &&
                      (dofs_.has_free_rigid_body(Side::primary) || dofs_.has_free_rigid_body(Side::secondary));
@@ -108,7 +109,7 @@ void BoundContact::project() {
   }
   const FESolver* solver = fem.GetCurrentStep()->GetFESolver();
   const bool keep_facets = parameters_.search.seg_up > 0 && solver->m_niter > parameters_.search.seg_up;
-  core_->project(surfaces_.positions(),
+  core_->project(surfaces().positions(),
                  keep_facets ? ContactInterface::Search::same_facets : ContactInterface::Search::everywhere);
 }
 
@@ -119,7 +120,7 @@ void BoundContact::prepare_step() {
 void BoundContact::note_beginning() { began_open_ = is_open(*core_); }
 
 void BoundContact::report(const UndetectedPenetration& undetected) {
-  const PerSide<std::string> names = surfaces_.names();
+  const PerSide<std::string> names = surfaces().names();
   log_.line(penetration_line(log_.name(), names[Side::primary], names[Side::secondary], undetected));
 }
 
@@ -157,7 +158,7 @@ void BoundContact::serialize(DumpStream& ar) {
   NumberedState numbered = numbered_state();
   const NodeNumbers present = numbered.nodes;
   for (IndexedVector<int>& numbers : numbered.nodes) archive(ar, static_cast<std::vector<int>&>(numbers));
-  archive_state(ar, numbered.state, core_->effects());
+  archive_state(ar, numbered.state);
   if (ar.IsSaving()) return;
   if (numbered.nodes == present) {
     core_->restore(std::move(numbered.state));

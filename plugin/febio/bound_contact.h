@@ -10,14 +10,14 @@
 #include <string>
 
 /// Positions and fields at the nodes of both surfaces, in the form of the core.
-mixture_contact::PerSide<mixture_contact::SurfaceFields> fields_of(ContactSurfaces& surfaces, const DofMap& dofs,
+mixture_contact::PerSide<mixture_contact::SurfaceFields> fields_of(const DofMap& dofs,
                                                                    const mixture_contact::Effects& effects);
 
 /// A contact core that takes its state from FEBio's nodes.
 class BoundContact : public mixture_contact::SteppedContact {
  public:
-  BoundContact(ContactSurfaces& surfaces, DofMap& dofs, const ContactParameters& parameters, const ContactLog& log)
-      : surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
+  BoundContact(DofMap& dofs, const ContactParameters& parameters, const ContactLog& log)
+      : dofs_(dofs), parameters_(parameters), log_(log) {}
 
   /// Makes the core. It has to be called before all other functions.
   void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
@@ -29,7 +29,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// Sets the state of a new core from the state `before`, whose nodes may differ from those of the core.
   void go_on_from(const mixture_contact::NumberedState& before);
   mixture_contact::ContactInterface& core() const override { return *core_; }
-  ContactSurfaces& surfaces() const { return surfaces_; }
+  ContactSurfaces& surfaces() const { return dofs_.surfaces(); }
   const DofMap& dofs() const { return dofs_; }
   const ContactParameters& parameters() const { return parameters_; }
   const ContactLog& log() const { return log_; }
@@ -55,7 +55,6 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// Restores a state with other nodes, after a failed attempt in which elements have eroded.
   void rewind_to(const mixture_contact::NumberedState& before);
 
-  ContactSurfaces& surfaces_;
   DofMap& dofs_;
   const ContactParameters& parameters_;
   const ContactLog& log_;

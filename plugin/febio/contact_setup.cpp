@@ -94,7 +94,7 @@ bool ContactSetup::have_no_inner_facets() const {
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces()[side];
     for (int i = 0; i < surface.Elements(); ++i) {
-      if (solids_with(fem_.GetMesh(), surface.Element(i).m_node) < 2) continue;
+      if (solids_with(fem().GetMesh(), surface.Element(i).m_node) < 2) continue;
       log().error("the surfaces \"" + surfaces().names()[Side::primary] + "\" and \"" +
                   surfaces().names()[Side::secondary] + "\" have facets in common, and one of \"" + surface.GetName() +
                   "\" lies inside a body, between two elements: nothing can slide there. Give each body its own nodes, "
@@ -115,8 +115,8 @@ bool ContactSetup::check_ambient() const {
 
 bool ContactSetup::check_mesh_adaptors() const {
   const bool is_lagmult = core_settings(parameters()).enforcement == Enforcement::lagrange_multipliers;
-  for (int i = 0; i < fem_.MeshAdaptors(); ++i) {
-    FEMeshAdaptor& adaptor = *fem_.MeshAdaptor(i);
+  for (int i = 0; i < fem().MeshAdaptors(); ++i) {
+    FEMeshAdaptor& adaptor = *fem().MeshAdaptor(i);
     if (is_lagmult) {
       log().error("<laugon>LAGMULT</laugon> is set, and the model has a mesh adaptor (" +
                   std::string(adaptor.GetTypeStr()) +
@@ -143,7 +143,7 @@ bool ContactSetup::has_penalty() const {
 }
 
 bool ContactSetup::can_have_multipliers() const {
-  return multiplier_layout(contact_.core()).size() == 0 || can_solve_for_multipliers(fem_, dofs(), log());
+  return multiplier_layout(contact_.core()).size() == 0 || can_solve_for_multipliers(fem(), dofs(), log());
 }
 
 // ------------------------------------------------------------ materials
@@ -157,25 +157,25 @@ bool ContactSetup::lacks_stiffness(const FacetMaterials& materials) const {
 }
 
 std::optional<FacetMaterials> ContactSetup::materials() const {
-  std::optional<FacetMaterials> materials = facet_materials(fem_, surfaces(), log());
+  std::optional<FacetMaterials> materials = facet_materials(fem(), surfaces(), log());
   if (!materials || !lacks_stiffness(*materials)) return materials;
-  stand_in_for_rigid_bodies(fem_, *materials);
+  stand_in_for_rigid_bodies(fem(), *materials);
   return materials;
 }
 
 void ContactSetup::say_stand_in() const {
-  const auto found = facet_materials(fem_, surfaces(), log());
-  if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem_) > 0)) return;
+  const auto found = facet_materials(fem(), surfaces(), log());
+  if (!found || !lacks_stiffness(*found) || !(modulus_of_rigid_bodies(fem()) > 0)) return;
   std::ostringstream text;
   text
-      << "both surfaces are rigid. The automatic penalty uses a modulus of " << modulus_of_rigid_bodies(fem_)
+      << "both surfaces are rigid. The automatic penalty uses a modulus of " << modulus_of_rigid_bodies(fem())
       << ", the largest among <E>/(1 - <v>^2) of the rigid materials and the moduli of the deformable ones. Set <penalty> "
       << "[force/length^3] for a value of your own.";
   log().say(text.str());
 }
 
 std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& materials) const {
-  std::vector<std::string> names = solute_names(fem_);
+  std::vector<std::string> names = solute_names(fem());
   names.resize(indexing::entries(dofs().concentrations()));
   std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces().names(), names);
   if (dofs().pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
@@ -184,8 +184,7 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
 }
 
 FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
-  return {has_friction(parameters()),
-          dofs().pressure(false) >= 0 && is_relieved_by_fluid(parameters()) && has_fluid(materials)};
+  return friction_request(parameters(), dofs().pressure(false) >= 0 && has_fluid(materials));
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
@@ -228,19 +227,19 @@ void ContactSetup::update_properties() const {
 }
 
 SolverKind ContactSetup::solver_kind() {
-  if (!has_inertia(fem_)) return solver_kind_of(fem_);
+  if (!has_inertia(fem())) return solver_kind_of(fem());
   if (!crossing_) {
     const std::optional<FacetMaterials> found = materials();
     crossing_ = found ? longest_crossing(*found) : 0;
   }
   // The size that the user gave, because a penalty that changed with the step would change the energy of the contact.
-  const double dt = fem_.GetCurrentStep()->m_dt0;
+  const double dt = fem().GetCurrentStep()->m_dt0;
   return would_rebound(*crossing_, dt) ? SolverKind::implicit_dynamics : SolverKind::newton;
 }
 
 void ContactSetup::update_laws(const ReducedPenalty& reduction) {
   Settings settings = core_settings(parameters(), solver_kind(), reduction);
-  settings.solvent.time_step = storing_time_step(fem_);
+  settings.solvent.time_step = storing_time_step(fem());
   contact_.core().update_laws(settings);
 }
 
@@ -248,7 +247,7 @@ void ContactSetup::find_immovable_nodes() const {
   set_immovable(contact_.core(), {{dofs().immovable_nodes(Side::primary), dofs().immovable_nodes(Side::secondary)}});
 }
 
-bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters(), solver_kind_of(fem_)); }
+bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters(), solver_kind_of(fem())); }
 
 bool ContactSetup::follow_load_curves(const ReducedPenalty& reduction) {
   const bool sound = has_sound_values() && check_ambient();

@@ -21,8 +21,7 @@ bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLo
 class ContactSetup {
  public:
   /// Keeps references to all arguments.
-  ContactSetup(FEModel& fem, BoundContact& contact, const AmbientConcentrations& ambient)
-      : fem_(fem), contact_(contact), ambient_(ambient) {}
+  ContactSetup(BoundContact& contact, const AmbientConcentrations& ambient) : contact_(contact), ambient_(ambient) {}
 
   // The next functions log the faults that they find, and return true if there are none.
   bool check_parameters() const;
@@ -50,6 +49,7 @@ class ContactSetup {
  private:
   const ContactParameters& parameters() const { return contact_.parameters(); }
   const DofMap& dofs() const { return contact_.dofs(); }
+  FEModel& fem() const { return dofs().fem(); }
   const ContactLog& log() const { return contact_.log(); }
   ContactSurfaces& surfaces() const { return contact_.surfaces(); }
 
@@ -69,7 +69,6 @@ class ContactSetup {
   /// The kind of the present step's solver, for the traction penalty.
   SolverKind solver_kind();
 
-  FEModel& fem_;
   BoundContact& contact_;
   const AmbientConcentrations& ambient_;
   std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides permit

@@ -18,6 +18,7 @@ class ContactSurfaces {
 
   FEMixtureSurface& operator[](Side side) { return side == Side::primary ? primary_ : secondary_; }
   const FEMixtureSurface& operator[](Side side) const { return side == Side::primary ? primary_ : secondary_; }
+  FEModel& fem() { return *primary_.GetFEModel(); }
   PerSide<std::string> names() const;
   /// The number of facets that both surfaces have in common.
   int common_facets() const;

@@ -43,16 +43,9 @@ void archive_multipliers(DumpStream& ar, Multipliers& multipliers) {
   archive(ar, multipliers.flux_penalty_scale);
   archive(ar, multipliers.accepted_traction);
   archive_flags(ar, multipliers.flux_coupled);
-}
-
-/// Stores or reads the part of a state that only contacts with friction have.
-void archive_friction(DumpStream& ar, ContactInterface::State& state) {
-  for (Multipliers& multipliers : state.multipliers) {
-    archive(ar, multipliers.friction);
-    archive_flags(ar, multipliers.slips);
-    archive(ar, multipliers.friction_penalty_scale);
-  }
-  for (Matrix3Xd& position : state.slips_from) archive(ar, position);
+  archive(ar, multipliers.friction);
+  archive_flags(ar, multipliers.slips);
+  archive(ar, multipliers.friction_penalty_scale);
 }
 
 void archive_carriers(DumpStream& ar, LoadCarriers& carriers) {
@@ -86,7 +79,7 @@ void archive_effects(DumpStream& ar, Effects& effects) {
   archive(ar, effects.solutes);
 }
 
-void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects& effects) {
+void archive_state(DumpStream& ar, ContactInterface::State& state) {
   int passes = mixture_contact::number_of(state.multipliers);
   archive(ar, state.check_nodes);
   ar & passes;
@@ -96,5 +89,5 @@ void archive_state(DumpStream& ar, ContactInterface::State& state, const Effects
   for (LoadCarriers& carriers : state.carriers) archive_carriers(ar, carriers);
   state.faced.resize(indexing::entries(passes));
   for (NodeFlags& faced : state.faced) archive_flags(ar, faced);
-  if (effects.may_rub()) archive_friction(ar, state);
+  for (Matrix3Xd& position : state.slips_from) archive(ar, position);
 }

@@ -7,6 +7,5 @@ class DumpStream;
 
 void archive_mesh(DumpStream& ar, mixture_contact::SurfaceMesh& mesh);
 void archive_effects(DumpStream& ar, mixture_contact::Effects& effects);
-/// Writes the state of a contact core to an archive, or reads it. `effects`: effects of the contact.
-void archive_state(DumpStream& ar, mixture_contact::ContactInterface::State& state,
-                   const mixture_contact::Effects& effects);
+/// Writes the state of a contact core to an archive, or reads it.
+void archive_state(DumpStream& ar, mixture_contact::ContactInterface::State& state);

@@ -18,17 +18,17 @@ using mixture_contact::Side;
 void DofMap::init() {
   front_ = face_dofs({"x", "y", "z"}, "p", "concentration");
   back_ = face_dofs({"sx", "sy", "sz"}, "q", "shell concentration");
-  rotations_ = {fem_.GetDOFIndex("Ru"), fem_.GetDOFIndex("Rv"), fem_.GetDOFIndex("Rw")};
-  concentrations_ = std::max(0, fem_.GetDOFS().GetVariableSize("concentration"));
+  rotations_ = {fem().GetDOFIndex("Ru"), fem().GetDOFIndex("Rv"), fem().GetDOFIndex("Rw")};
+  concentrations_ = std::max(0, fem().GetDOFS().GetVariableSize("concentration"));
 }
 
 DofMap::FaceDofs DofMap::face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
                                    const char* concentration) const {
   FaceDofs dofs;
   for (std::size_t i = 0; i < displacements.size(); ++i)
-    mixture_contact::at(dofs.displacements, i) = fem_.GetDOFIndex(mixture_contact::at(displacements, i));
-  dofs.pressure = fem_.GetDOFIndex(pressure);
-  dofs.concentration = fem_.GetDOFIndex(concentration, 0);
+    mixture_contact::at(dofs.displacements, i) = fem().GetDOFIndex(mixture_contact::at(displacements, i));
+  dofs.pressure = fem().GetDOFIndex(pressure);
+  dofs.concentration = fem().GetDOFIndex(concentration, 0);
   return dofs;
 }
 
@@ -58,7 +58,7 @@ const std::array<int, 3>& DofMap::displacements(Side side, const FENode& node) c
 }
 
 int DofMap::deformable_node() const {
-  const LinearConstraints constraints(fem_);
+  const LinearConstraints constraints(fem());
   int bound = -1;
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces_[side];
@@ -86,14 +86,14 @@ bool DofMap::can_move(const FENode& node, const std::array<int, 3>& displacement
   if (node.m_rid < 0)
     return std::any_of(displacements.begin(), displacements.end(),
                        [&](int dof) { return is_unknown(mixture_contact::at(node.m_ID, dof)); });
-  auto* const mechanics = dynamic_cast<FEMechModel*>(&fem_);
+  auto* const mechanics = dynamic_cast<FEMechModel*>(&fem());
   if (mechanics == nullptr) return false;
   const auto& equations = mechanics->GetRigidBody(node.m_rid)->m_LM;
   return std::any_of(std::begin(equations), std::end(equations), is_unknown);
 }
 
 mixture_contact::NodeFlags DofMap::immovable_nodes(Side side) const {
-  const LinearConstraints constraints(fem_);
+  const LinearConstraints constraints(fem());
   FEMixtureSurface& surface = surfaces_[side];
   mixture_contact::NodeFlags immovable(surface.Nodes(), false);
   for (int i = 0; i < surface.Nodes(); ++i)

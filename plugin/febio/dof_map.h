@@ -10,7 +10,10 @@
 /// Finds the degrees of freedom at the nodes of the surfaces.
 class DofMap {
  public:
-  DofMap(FEModel& fem, ContactSurfaces& surfaces) : fem_(fem), surfaces_(surfaces) {}
+  explicit DofMap(ContactSurfaces& surfaces) : surfaces_(surfaces) {}
+
+  ContactSurfaces& surfaces() const { return surfaces_; }
+  FEModel& fem() const { return surfaces_.fem(); }
 
   /// Looks up the degrees of freedom of the module.
   void init();
@@ -63,7 +66,6 @@ class DofMap {
   FaceDofs face_dofs(const std::array<const char*, 3>& displacements, const char* pressure,
                      const char* concentration) const;
 
-  FEModel& fem_;
   ContactSurfaces& surfaces_;
   FaceDofs front_;
   FaceDofs back_;

@@ -46,7 +46,7 @@ bool takes_mixed_form(FEModel& model) {
   FENewtonSolver* const solver = newton_solver(model, model.GetCurrentStepIndex());
   using newton::MatrixStrategy;
   newton::FEBioSolver present(model);
-  const MatrixStrategy strategy = newton::FEBioSystem(model, present).strategy();
+  const MatrixStrategy strategy = newton::FEBioSystem(present).strategy();
   if (solver == nullptr || strategy == MatrixStrategy::preconditioner || strategy == MatrixStrategy::residuals_alone)
     return false;
   // For matrices of symmetric structure, pardiso neither scales rows nor matches pivots.

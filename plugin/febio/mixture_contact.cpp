@@ -45,9 +45,9 @@ FEMixtureContact::FEMixtureContact(FEModel* fem)
       model_(ModelContacts::of(*fem)),
       log_(*this),
       surfaces_(*fem, *this),
-      dofs_(*fem, surfaces_),
-      bound_(surfaces_, dofs_, parameters_, log_),
-      setup_(*fem, bound_, properties_.ambient),
+      dofs_(surfaces_),
+      bound_(dofs_, parameters_, log_),
+      setup_(bound_, properties_.ambient),
       assembly_(bound_, loads_),
       output_(bound_) {
   // For any enforcement by the user, FEBio has to call Augment() before it accepts a solution.

@@ -17,8 +17,6 @@ using mixture_contact::at;
 
 namespace {
 
-vec3d to_febio(const mixture_contact::Vector3d& v) { return {v[0], v[1], v[2]}; }
-
 /// The point that CreateMaterialPoint() has made for an integration point.
 FEBiphasicContactPoint& contact_point(FESurfaceElement& element, int q) {
   return static_cast<FEBiphasicContactPoint&>(*element.GetMaterialPoint(q));
@@ -88,7 +86,6 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
   std::vector<double> gap(FEElement::MAX_NODES);
   std::vector<double> pressure(FEElement::MAX_NODES);
   std::vector<double> jump(FEElement::MAX_NODES);
-  const bool has_tangential_traction = nodal.friction.traction.cols() > 0;
   for (int face = 0; face < Elements(); ++face) {
     FESurfaceElement& element = Element(face);
     for (int a = 0; a < element.Nodes(); ++a) {
@@ -105,7 +102,7 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
       point.m_nu = SurfaceNormal(element, q);
       point.m_tr = point.m_nu * (-point.m_Ln);
     }
-    if (has_tangential_traction) store_friction(element);
+    store_friction(element);
   }
 }
 
@@ -116,7 +113,7 @@ void FEMixtureSurface::store_friction(FESurfaceElement& element) {
   std::vector<double> sticks(FEElement::MAX_NODES);
   for (int a = 0; a < element.Nodes(); ++a) {
     const int node = at(element.m_lnode, a);
-    at(traction, a) = to_febio(nodal_.friction.traction.col(node));
+    at(traction, a) = to_febio(vector_at(nodal_.friction.traction, node));
     at(coefficient, a) = nodal_.effective_friction(node);
     at(support, a) = nodal_.fluid_load_support(node);
     at(sticks, a) = mixture_contact::status_of(nodal_.friction, node) == mixture_contact::Sliding::sticks ? 1 : 0;
@@ -280,7 +277,7 @@ void FEMixtureSurface::GetNodalContactTraction(int face, vec3d* traction) {
     const mixture_contact::Vector2d place = mixture_contact::parametric_node(type, a);
     traction[a] = SurfaceNormal(element, place[0], place[1]) * (-pressure[a]);
     const int node = at(element.m_lnode, a);
-    if (node < nodal_.friction.traction.cols()) traction[a] += to_febio(nodal_.friction.traction.col(node));
+    traction[a] += to_febio(vector_at(nodal_.friction.traction, node));
   }
 }
 

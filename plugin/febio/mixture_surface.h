@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+/// FEBio's form of a vector.
+inline vec3d to_febio(const mixture_contact::Vector3d& v) { return {v[0], v[1], v[2]}; }
+
 /// The core's type of a facet; empty if the core does not support it.
 std::optional<mixture_contact::FacetType> facet_type(const FESurfaceElement& element);
 

@@ -176,7 +176,7 @@ std::shared_ptr<ModelContacts> ModelContacts::of(FEModel& fem) {
 ModelContacts::ModelContacts(FEModel& fem)
     : fem_(fem),
       solver_(fem),
-      system_(fem, solver_),
+      system_(solver_),
       devices_(fem, contacts_),
       helpers_(solver_),
       steps_(*this, helpers_),

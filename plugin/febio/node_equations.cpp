@@ -36,18 +36,14 @@ void fill_multipliers(const ContactInterface& core, int first, const Patch& patc
 }  // namespace
 
 NodeEquations::NodeEquations(const BoundContact& contact)
-    : NodeEquations(contact.dofs(), contact.surfaces(), contact.core().effects(),
+    : NodeEquations(contact.dofs(), contact.core().effects(),
                     [&contact](const Patch& patch, int node, std::vector<int>& ids) {
                       fill_multipliers(contact.core(), contact.dofs().first_multiplier(), patch, node, ids);
                     }) {}
 
-NodeEquations::NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const Effects& effects,
-                             FillMultipliers fill_multipliers)
-    : dofs_(dofs),
-      constraints_(*surfaces[Side::primary].GetFEModel()),
-      effects_(effects),
-      fill_multipliers_(std::move(fill_multipliers)) {
-  for (const Side side : both_sides) of_[side] = of_surface(surfaces[side], side);
+NodeEquations::NodeEquations(const DofMap& dofs, const Effects& effects, FillMultipliers fill_multipliers)
+    : dofs_(dofs), constraints_(dofs.fem()), effects_(effects), fill_multipliers_(std::move(fill_multipliers)) {
+  for (const Side side : both_sides) of_[side] = of_surface(dofs.surfaces()[side], side);
 }
 
 NodeEquations::Surface NodeEquations::of_surface(FEMixtureSurface& surface, Side side) const {

@@ -22,8 +22,7 @@ class NodeEquations {
   using FillMultipliers = std::function<void(const mixture_contact::Patch& patch, int node, std::vector<int>& ids)>;
 
   /// Keeps references. `fill_multipliers`: used for patches with multipliers.
-  NodeEquations(const DofMap& dofs, ContactSurfaces& surfaces, const mixture_contact::Effects& effects,
-                FillMultipliers fill_multipliers);
+  NodeEquations(const DofMap& dofs, const mixture_contact::Effects& effects, FillMultipliers fill_multipliers);
   explicit NodeEquations(const BoundContact& contact);
 
   /// The nodes of the mesh to which the blocks of a local vector belong.

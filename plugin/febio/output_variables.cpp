@@ -158,9 +158,8 @@ class FEPlotVectorsAtNodes : public FEPlotSurfaceData {
   bool Save(FESurface& surface, FEDataStream& stream) override {
     const auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
-    const mixture_contact::Matrix3Xd& all = own->nodal_output().friction.*vectors;
     for (int node = 0; node < surface.Nodes(); ++node)
-      stream << (node < all.cols() ? vec3d(all(0, node), all(1, node), all(2, node)) : vec3d(0, 0, 0));
+      stream << to_febio(vector_at(own->nodal_output().friction.*vectors, node));
     return true;
   }
 };
@@ -180,8 +179,7 @@ double slip_status(const FEMixtureSurface& surface, int node) {
 /// A value of BreakingOutput at a node; 0 if the bonds cannot break.
 template <mixture_contact::VectorXd mixture_contact::BreakingOutput::* values>
 double of_bonds(const FEMixtureSurface& surface, int node) {
-  const mixture_contact::VectorXd& all = surface.nodal_output().breaking.*values;
-  return node < all.size() ? all[node] : 0.0;
+  return value_at(surface.nodal_output().breaking.*values, node);
 }
 
 /// The power that friction dissipates in a step.
@@ -197,8 +195,7 @@ class FEPlotFrictionForce : public FEPlotSurfaceData {
   bool Save(FESurface& surface, FEDataStream& stream) override {
     auto* own = dynamic_cast<FEMixtureSurface*>(&surface);
     if (own == nullptr) return false;
-    const mixture_contact::Vector3d force = friction_force(*own);
-    stream << vec3d(force[0], force[1], force[2]);
+    stream << to_febio(friction_force(*own));
     return true;
   }
 };
@@ -327,8 +324,7 @@ class FELogMeanOfNodes : public FELogFaceData {
 
 template <mixture_contact::Matrix3Xd mixture_contact::FrictionOutput::* vectors, int component>
 double component_of(const FEMixtureSurface& surface, int node) {
-  const mixture_contact::Matrix3Xd& all = surface.nodal_output().friction.*vectors;
-  return node < all.cols() ? all(component, node) : 0.0;
+  return vector_at(surface.nodal_output().friction.*vectors, node)[component];
 }
 
 // ------------------------------------------------------------ registration

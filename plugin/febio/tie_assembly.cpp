@@ -95,7 +95,7 @@ class Batch {
 
 NodeEquations TieAssembly::equations_of(const Tie& tie) const {
   const int first = dofs_.first_multiplier();
-  return {dofs_, surfaces_, tie.effects(), [&tie, first](const Patch& patch, int node, std::vector<int>& ids) {
+  return {dofs_, tie.effects(), [&tie, first](const Patch& patch, int node, std::vector<int>& ids) {
             const LocalLayout layout = patch.layout();
             for (Index i = 0; layout.has_displacements() && i < 3; ++i)
               mixture_contact::at(
@@ -122,8 +122,8 @@ void TieAssembly::add_to_profile(const Tie& tie, FEGlobalMatrix& matrix) const {
 
 void TieAssembly::residual(const Tie& tie, FEGlobalVector& residual, double dt) const {
   const NodeEquations equations = equations_of(tie);
-  const PerSide<SurfaceFields> fields = fields_of(surfaces_, dofs_, tie.effects());
-  const RigidShellBottoms arms(surfaces_);
+  const PerSide<SurfaceFields> fields = fields_of(dofs_, tie.effects());
+  const RigidShellBottoms arms(dofs_.surfaces());
   tie.residual(fields, dt, [&](const Patch& patch, const VectorXd& values) {
     InFullBlocks(equations, patch).add(values, residual);
   });
@@ -132,10 +132,10 @@ void TieAssembly::residual(const Tie& tie, FEGlobalVector& residual, double dt) 
 void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix& matrix, double dt,
                           const Softening& softening) const {
   const NodeEquations equations = equations_of(tie);
-  const PerSide<SurfaceFields> fields = fields_of(surfaces_, dofs_, tie.effects());
-  const RigidShellBottoms arms(surfaces_);
+  const PerSide<SurfaceFields> fields = fields_of(dofs_, tie.effects());
+  const RigidShellBottoms arms(dofs_.surfaces());
   Batch batch(matrix);
-  const bool takes_blocks = batch && !has_linear_constraints(*surfaces_[Side::primary].GetFEModel());
+  const bool takes_blocks = batch && !has_linear_constraints(dofs_.fem());
   tie.tangent(fields, dt, softening, [&](const Patch& patch, const MatrixXd& values) {
     const std::vector<int> ids = equations.equations(at_primary(patch));
     if (takes_blocks && !are_prescribed(ids) && !equations.are_rigid(at_primary(patch))) {

@@ -11,8 +11,8 @@ class FELinearSystem;
 /// Assembles a tie.
 class TieAssembly {
  public:
-  /// Keeps references.
-  TieAssembly(ContactSurfaces& surfaces, const DofMap& dofs) : surfaces_(surfaces), dofs_(dofs) {}
+  /// Keeps a reference.
+  explicit TieAssembly(const DofMap& dofs) : dofs_(dofs) {}
 
   void add_to_profile(const mixture_contact::Tie& tie, FEGlobalMatrix& matrix) const;
   void residual(const mixture_contact::Tie& tie, FEGlobalVector& residual, double dt) const;
@@ -22,6 +22,5 @@ class TieAssembly {
  private:
   NodeEquations equations_of(const mixture_contact::Tie& tie) const;
 
-  ContactSurfaces& surfaces_;
   const DofMap& dofs_;
 };

@@ -33,24 +33,24 @@ std::vector<std::string> obstacles(FEModel& fem, const ContactSurfaces& surfaces
 
 bool TieSetup::check() const {
   std::vector<std::string> wrong = tie_complaints(parameters_);
-  for (std::string& obstacle : obstacles(fem_, surfaces_)) wrong.push_back(std::move(obstacle));
+  for (std::string& obstacle : obstacles(fem(), surfaces())) wrong.push_back(std::move(obstacle));
   log_.errors(wrong);
   for (const std::string& sentence : notices(parameters_)) log_.say(sentence);
-  return wrong.empty() && have_known_facets(surfaces_, log_);
+  return wrong.empty() && have_known_facets(surfaces(), log_);
 }
 
 std::optional<FacetMaterials> TieSetup::materials() const {
-  std::optional<FacetMaterials> found = facet_materials(fem_, surfaces_, log_);
+  std::optional<FacetMaterials> found = facet_materials(fem(), surfaces(), log_);
   const bool is_given = parameters_.penalties.traction.given && !parameters_.penalties.auto_penalty;
   if (found && !is_given && lack_stiffness((*found)[Side::primary], (*found)[Side::secondary]))
-    stand_in_for_rigid_bodies(fem_, *found);
+    stand_in_for_rigid_bodies(fem(), *found);
   return found;
 }
 
 std::optional<Effects> TieSetup::effects(const FacetMaterials& materials) const {
-  std::vector<std::string> names = solute_names(fem_);
+  std::vector<std::string> names = solute_names(fem());
   names.resize(indexing::entries(dofs_.concentrations()));
-  std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces_.names(), names);
+  std::vector<FieldAtContact> fields = fields_at_contact(materials, surfaces().names(), names);
   if (dofs_.pressure(false) < 0) fields.front().obstacles = {"the module has no fluid pressure"};
   const Exchange exchange = tie_exchange(parameters_, fields);
   log_.errors(exchange.complaints);
@@ -64,7 +64,7 @@ std::optional<Effects> TieSetup::effects(const FacetMaterials& materials) const 
 
 PerSide<SurfaceMesh> TieSetup::meshes(const FacetMaterials& materials, const Effects& effects) const {
   PerSide<SurfaceMesh> meshes;
-  for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces_[side], materials[side], effects);
+  for (const Side side : both_sides) meshes[side] = surface_mesh(surfaces()[side], materials[side], effects);
   return meshes;
 }
 
@@ -73,12 +73,12 @@ std::unique_ptr<Tie> TieSetup::build() const {
   const auto exchanged = found ? effects(*found) : std::nullopt;
   if (!exchanged) return nullptr;
   PerSide<SurfaceMesh> mesh = meshes(*found, *exchanged);
-  const PerSide<Matrix3Xd> reference = surfaces_.positions();
+  const PerSide<Matrix3Xd> reference = surfaces().positions();
   const Settings chosen = settings();
   IndexedVector<TiedNode> nodes = find_tied_nodes(mesh, *exchanged, chosen, reference);
   if (nodes.empty()) {
-    log_.error("no node of the primary surface \"" + surfaces_.names()[Side::primary] + "\" faces \"" +
-               surfaces_.names()[Side::secondary] +
+    log_.error("no node of the primary surface \"" + surfaces().names()[Side::primary] + "\" faces \"" +
+               surfaces().names()[Side::secondary] +
                "\" within the search radius, and nothing is tied. Set <search_radius> to more than their distance, "
                "or set <flip_primary> or <flip_secondary> if normals point into a body.");
     return nullptr;
@@ -92,7 +92,7 @@ std::unique_ptr<Tie> TieSetup::build() const {
     return nullptr;
   }
   if (!can_break(*tie)) return nullptr;
-  if (tie->unknown_count() > 0 && !can_solve_for_multipliers(fem_, dofs_, log_)) return nullptr;
+  if (tie->unknown_count() > 0 && !can_solve_for_multipliers(fem(), dofs_, log_)) return nullptr;
   return tie;
 }
 
@@ -100,7 +100,7 @@ bool TieSetup::can_break(const Tie& tie) const {
   if (!may_break(tie.breaking())) return true;
   std::string wrong;
   if (!tie.effects().traction) wrong = "<max_traction> is set, and <effects> omits traction: nothing can break.";
-  if (solver_kind_of(fem_) != SolverKind::newton)
+  if (solver_kind_of(fem()) != SolverKind::newton)
     wrong = "<max_traction> is set, and the solver is not a Newton solver: a tie cannot break with it.";
   if (wrong.empty()) wrong = penalty_complaint(tie);
   if (!wrong.empty()) log_.error(wrong);
@@ -110,24 +110,24 @@ bool TieSetup::can_break(const Tie& tie) const {
 void TieSetup::judge_cohesive_zone(const Tie& tie) const {
   const auto found = std::holds_alternative<Cohesive>(tie.breaking()) ? materials() : std::nullopt;
   if (!found) return;
-  const std::string line = cohesive_zone_line(tie, *found, surfaces_.positions());
+  const std::string line = cohesive_zone_line(tie, *found, surfaces().positions());
   if (!line.empty()) log_.warning(line);
 }
 
 void TieSetup::say_what_is_tied(const Tie& tie) const {
-  const UntiedNodes untied = untied_nodes(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
+  const UntiedNodes untied = untied_nodes(tie.nodes(), tie.mesh(), tie.settings(), surfaces().positions());
   log_.say(tied_nodes_line(tie.nodes().count(), untied));
 }
 
 Matrix3Xd TieSetup::relocated(const Tie& tie) const {
-  return without_gaps(tie.nodes(), tie.mesh(), tie.settings(), surfaces_.positions());
+  return without_gaps(tie.nodes(), tie.mesh(), tie.settings(), surfaces().positions());
 }
 
 Settings TieSetup::settings() const {
-  return tie_settings(parameters_, solver_kind_of(fem_), storing_time_step(fem_), breaking());
+  return tie_settings(parameters_, solver_kind_of(fem()), storing_time_step(fem()), breaking());
 }
 
-BreakingLaw TieSetup::breaking() const { return breaking_law(parameters_.breaking, fem_.GetTime().timeIncrement); }
+BreakingLaw TieSetup::breaking() const { return breaking_law(parameters_.breaking, fem().GetTime().timeIncrement); }
 
 bool TieSetup::update(Tie& tie) const {
   const std::vector<std::string> wrong = tie_complaints(parameters_);

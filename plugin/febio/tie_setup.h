@@ -13,9 +13,8 @@
 /// Sets up a tie.
 class TieSetup {
  public:
-  TieSetup(FEModel& fem, ContactSurfaces& surfaces, DofMap& dofs, const TieParameters& parameters,
-           const ContactLog& log)
-      : fem_(fem), surfaces_(surfaces), dofs_(dofs), parameters_(parameters), log_(log) {}
+  TieSetup(DofMap& dofs, const TieParameters& parameters, const ContactLog& log)
+      : dofs_(dofs), parameters_(parameters), log_(log) {}
 
   /// True if parameters, surfaces and model permit a tie; faults are logged.
   bool check() const;
@@ -36,6 +35,8 @@ class TieSetup {
   mixture_contact::BreakingLaw breaking() const;
 
  private:
+  FEModel& fem() const { return dofs_.fem(); }
+  ContactSurfaces& surfaces() const { return dofs_.surfaces(); }
   std::optional<FacetMaterials> materials() const;
   /// True if bonds soften with their penalties, and nothing else excludes breaking.
   bool can_break(const mixture_contact::Tie& tie) const;
@@ -43,8 +44,6 @@ class TieSetup {
   mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes(const FacetMaterials& materials,
                                                                 const mixture_contact::Effects& effects) const;
 
-  FEModel& fem_;
-  ContactSurfaces& surfaces_;
   DofMap& dofs_;
   const TieParameters& parameters_;
   const ContactLog& log_;

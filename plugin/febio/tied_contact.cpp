@@ -37,9 +37,9 @@ FEMixtureTie::FEMixtureTie(FEModel* fem)
     : FEContactInterface(fem),
       log_(*this),
       surfaces_(*fem, *this),
-      dofs_(*fem, surfaces_),
-      setup_(*fem, surfaces_, dofs_, parameters_, log_),
-      assembly_(surfaces_, dofs_) {
+      dofs_(surfaces_),
+      setup_(dofs_, parameters_, log_),
+      assembly_(dofs_) {
   // For any enforcement by the user, FEBio has to call Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
@@ -120,7 +120,7 @@ void FEMixtureTie::Deactivate() {
   if (sliding_ != nullptr) sliding_->Deactivate();
 }
 
-PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(surfaces_, dofs_, tie_->effects()); }
+PerSide<SurfaceFields> FEMixtureTie::fields() { return fields_of(dofs_, tie_->effects()); }
 
 // ------------------------------------------------------------ steps and iterations
 

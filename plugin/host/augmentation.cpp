@@ -22,7 +22,7 @@ std::vector<std::string> gap_table(const std::string& title, const GapReport& re
   std::vector<std::string> lines{" " + title + ": gaps, with the tolerances (0: none)",
                                  "                         RELATIVE                  LARGEST",
                                  gap_line("gap", report.traction, tolerances.traction)};
-  if (effects.has_friction()) lines.push_back(gap_line("slip in stick", report.slip, tolerances.traction));
+  for (const FieldGap& slip : report.slip) lines.push_back(gap_line("slip in stick", slip, tolerances.traction));
   for (std::size_t k = 0; k < report.flux.size(); ++k) {
     const int solute = solute_of(effects, static_cast<int>(k));
     const std::string name = solute < 0 ? "pressure jump" : "jump of c" + std::to_string(solute + 1);

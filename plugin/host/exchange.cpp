@@ -101,6 +101,10 @@ void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
   }
 }
 
+FrictionRequest friction_request(const ContactParameters& parameters, bool has_fluid) {
+  return {has_friction(parameters), has_fluid && is_relieved_by_fluid(parameters)};
+}
+
 Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion,
                          const FrictionRequest& friction) {
   Exchange result;

@@ -40,6 +40,9 @@ struct FrictionRequest {
   bool has_fluid = false;        ///< true if fluid pressure on either side bears a part of the load
 };
 
+/// The friction that the parameters request. `has_fluid`: true if a body has fluid whose pressure is an unknown.
+FrictionRequest friction_request(const ContactParameters& parameters, bool has_fluid);
+
 /// Decides which effects a contact exchanges.
 ///
 /// `asked`: the parameter <effects>: "all", or names separated by commas, in which "solutes" means all solutes of both

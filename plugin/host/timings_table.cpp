@@ -1,9 +1,12 @@
 #include "timings_table.h"
 
+#include "facet_material.h"
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 using mixture_contact::all_tasks;
 using mixture_contact::Effects;
@@ -38,30 +41,34 @@ std::string row(std::string_view title, const std::vector<std::string>& entries)
   return line;
 }
 
-std::vector<std::string> headings(const Effects& effects) {
-  std::vector<std::string> names{"shared", "traction"};
-  if (effects.may_rub()) names.emplace_back("friction");
-  if (effects.solvent) names.emplace_back("solvent");
-  for (const int solute : effects.solutes) names.push_back("solute " + std::to_string(solute + 1));
-  names.emplace_back("all");
-  names.emplace_back("of it host");
-  return names;
-}
-
 std::string scientific(double value) {
   std::ostringstream text;
   text << std::scientific << std::setprecision(3) << value;
   return text.str();
 }
 
+/// The columns of the table: name and time [s].
+std::vector<std::pair<std::string, double>> columns(const TimingBreakdown& spent, const Effects& effects) {
+  std::vector<std::pair<std::string, double>> all{{"shared", spent.shared}, {"traction", spent.traction}};
+  if (effects.may_rub()) all.emplace_back("friction", spent.friction);
+  for (int field = 0; field < effects.scalar_fields(); ++field) {
+    const int solute = solute_of(effects, field);
+    all.emplace_back(solute < 0 ? "solvent" : "solute " + std::to_string(solute + 1), spent.fields[field]);
+  }
+  all.emplace_back("all", spent.total());
+  all.emplace_back("of it host", spent.host);
+  return all;
+}
+
+std::string headings(const Effects& effects) {
+  std::vector<std::string> names;
+  for (const auto& column : columns(TimingBreakdown(effects.scalar_fields()), effects)) names.push_back(column.first);
+  return row("", names);
+}
+
 std::string seconds(std::string_view title, const TimingBreakdown& spent, const Effects& effects) {
-  std::vector<double> values{spent.shared, spent.traction};
-  if (effects.may_rub()) values.push_back(spent.friction);
-  values.insert(values.end(), spent.fields.begin(), spent.fields.end());
-  values.push_back(spent.total());
-  values.push_back(spent.host);
   std::vector<std::string> entries;
-  for (const double value : values) entries.push_back(scientific(value));
+  for (const auto& column : columns(spent, effects)) entries.push_back(scientific(column.second));
   return row(title, entries);
 }
 
@@ -71,7 +78,7 @@ std::vector<std::string> timings_table(const std::string& name, const mixture_co
                                        double run) {
   const TimingBreakdown sum = contact.measurements().timings.sum();
   std::vector<std::string> lines{"sliding-mixture \"" + name + "\": time in the contact [s]",
-                                 row("", headings(contact.effects()))};
+                                 headings(contact.effects())};
   for (const Task task : all_tasks)
     lines.push_back(seconds(name_of(task), contact.measurements().timings[task], contact.effects()));
   lines.push_back(seconds("all", sum, contact.effects()));

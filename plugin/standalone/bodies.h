@@ -15,6 +15,7 @@ class Bodies {
   /// Throws InputError if an element is inverted in the reference configuration.
   explicit Bodies(const Model& model);
 
+  const Model& model() const { return model_; }
   std::size_t elements() const { return elements_.size(); }
   const Element& element(std::size_t e) const { return model_.mesh.elements[e]; }
   const Material& material(std::size_t e) const { return model_.material(element(e)); }

@@ -5,15 +5,16 @@
 
 namespace standalone {
 
-Contact::Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)
-    : model_(model), definition_(definition), surfaces_(model, definition.surfaces, bodies) {
+Contact::Contact(ContactDefinition definition, const Bodies& bodies)
+    : definition_(std::move(definition)), surfaces_(definition_.surfaces, bodies) {
+  const Model& model = bodies.model();
   const FacetMaterials at_rest = surfaces_.materials(MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols()));
   const mixture_contact::Effects effects = decide_effects(at_rest);
   PerSide<mixture_contact::SurfaceMesh> meshes = surfaces_.meshes(at_rest, effects);
   mixture_contact::find_joined_nodes(meshes, surfaces_.nodes());
-  core_ = std::make_unique<mixture_contact::ContactInterface>(meshes, effects, core_settings(definition.parameters));
+  core_ = std::make_unique<mixture_contact::ContactInterface>(meshes, effects, core_settings(definition_.parameters));
   if (!core_->pass(0).penalty().traction.allFinite())
-    throw InputError(model.file + ": contact \"" + definition.name + "\": " + no_stiffness);
+    throw InputError(model.file + ": contact \"" + definition_.name + "\": " + no_stiffness);
 }
 
 Motion Contact::motion() const {
@@ -22,15 +23,16 @@ Motion Contact::motion() const {
 }
 
 mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials) {
-  std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, model_.solutes);
+  std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, surfaces_.model().solutes);
   leave_out(left_out(definition_.parameters), fields);
   const ContactParameters& parameters = definition_.parameters;
-  const FrictionRequest friction{has_friction(parameters), is_relieved_by_fluid(parameters) && has_fluid(materials)};
+  const FrictionRequest friction = friction_request(parameters, has_fluid(materials));
   const Exchange exchange = decide_exchange(parameters.effects, fields, motion(), friction);
   if (!exchange.complaints.empty())
-    throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
+    throw InputError(surfaces_.model().file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
   const std::vector<std::string> wrong = membrane_complaints(parameters.membrane, exchange.effects);
-  if (!wrong.empty()) throw InputError(model_.file + ": contact \"" + definition_.name + "\": " + wrong.front());
+  if (!wrong.empty())
+    throw InputError(surfaces_.model().file + ": contact \"" + definition_.name + "\": " + wrong.front());
   effects_line_ = "sliding-mixture \"" + definition_.name + "\" exchanges " + exchange.summary;
   for (const std::string& notice : membrane_notices(parameters, exchange.effects)) effects_line_ += " " + notice;
   return exchange.effects;
@@ -38,7 +40,7 @@ mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials
 
 void Contact::update_laws(double time, double dt, const mixture_contact::ReducedPenalty& reduction) {
   ContactParameters now = definition_.parameters;
-  now.ambient.pressure = definition_.ambient_pressure.at(time, model_.curves);
+  now.ambient.pressure = definition_.ambient_pressure.at(time, surfaces_.model().curves);
   mixture_contact::Settings settings = core_settings(now, SolverKind::newton, reduction);
   settings.solvent.time_step = dt;
   core_->update_laws(settings);
@@ -50,7 +52,8 @@ bool Contact::has_reducible_penalty() const {
 
 void Contact::find_immovable_nodes(const std::vector<bool>& free) {
   const auto is_immovable = [&](int node) {
-    return !at(free, model_.place(0, node)) && !at(free, model_.place(1, node)) && !at(free, model_.place(2, node));
+    return !at(free, surfaces_.model().place(0, node)) && !at(free, surfaces_.model().place(1, node)) &&
+           !at(free, surfaces_.model().place(2, node));
   };
   PerSide<mixture_contact::NodeFlags> immovable;
   for (const Side side : mixture_contact::both_sides) {

@@ -15,7 +15,7 @@ class Contact {
   using PerSide = mixture_contact::PerSide<T>;
 
   /// Throws InputError if the surfaces cannot be in contact.
-  Contact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
+  Contact(ContactDefinition definition, const Bodies& bodies);
 
   const ContactDefinition& definition() const { return definition_; }
   mixture_contact::ContactInterface& core() const { return *core_; }
@@ -47,8 +47,7 @@ class Contact {
   Motion motion() const;
   mixture_contact::Effects decide_effects(const FacetMaterials& materials);
 
-  const Model& model_;
-  const ContactDefinition& definition_;
+  ContactDefinition definition_;
   PairedSurfaces surfaces_;
   std::string effects_line_;
   std::unique_ptr<mixture_contact::ContactInterface> core_;

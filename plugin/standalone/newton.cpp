@@ -44,11 +44,7 @@ class ContactAtState : public mixture_contact::SteppedContact {
 }  // namespace
 
 Newton::Newton(Problem& problem, Log& log)
-    : problem_(problem),
-      log_(log),
-      control_(problem.model().control),
-      system_(problem.values().size()),
-      steps_(*this, no_helpers_) {
+    : problem_(problem), log_(log), system_(problem.values().size()), steps_(*this, no_helpers_) {
   for (Contact& contact : problem.contacts())
     contacts_.push_back(std::make_unique<ContactAtState>(problem, contact, log));
 }
@@ -75,7 +71,7 @@ void Newton::evaluate_residual() {
 }
 
 void Newton::form_matrix(bool evaluated) {
-  log_.print("Reforming stiffness matrix: reformation #%d\n\n", control_.max_reformations - allowed_reformations_ + 1);
+  log_.print("Reforming stiffness matrix: reformation #%d\n\n", control().max_reformations - allowed_reformations_ + 1);
   if (allowed_reformations_-- == 0) throw StepFailure("Max nr of reformations reached.");
   steps_.before_matrix();
   problem_.assemble(system_);
@@ -92,16 +88,16 @@ void Newton::form_matrix(bool evaluated) {
 }
 
 bool Newton::converged(const Norms& now, double time) {
-  VectorXd tolerances = VectorXd::Constant(now.fields.size(), control_.concentration_tolerance);
-  tolerances.head<2>() << control_.displacement_tolerance, control_.pressure_tolerance;
-  const Norms required{control_.residual_tolerance * first_.residual, control_.energy_tolerance * first_.energy,
+  VectorXd tolerances = VectorXd::Constant(now.fields.size(), control().concentration_tolerance);
+  tolerances.head<2>() << control().displacement_tolerance, control().pressure_tolerance;
+  const Norms required{control().residual_tolerance * first_.residual, control().energy_tolerance * first_.energy,
                        tolerances.cwiseAbs2().cwiseProduct(norms(end_, increment_).fields)};
   log_norms(now, required, time);
   const bool fields_met = (tolerances.array() == 0 || now.fields.array() <= required.fields.array()).all();
-  const bool residual_met = control_.residual_tolerance == 0 || now.residual <= required.residual;
-  const bool energy_met = control_.energy_tolerance == 0 || now.energy <= required.energy;
+  const bool residual_met = control().residual_tolerance == 0 || now.residual <= required.residual;
+  const bool energy_met = control().energy_tolerance == 0 || now.energy <= required.energy;
   if (fields_met && residual_met && energy_met) return true;
-  if (now.residual >= control_.least_residual) return false;
+  if (now.residual >= control().least_residual) return false;
   log_.box("WARNING", "No force acting on the system.");
   return true;
 }
@@ -109,7 +105,7 @@ bool Newton::converged(const Norms& now, double time) {
 void Newton::log_norms(const Norms& now, const Norms& required, double time) const {
   log_.print(" Nonlinear solution status: time= %g\n", time);
   log_.print("\tright hand side evaluations   = %d\n", effort_.residuals);
-  log_.print("\tstiffness matrix reformations = %d\n", control_.max_reformations - allowed_reformations_);
+  log_.print("\tstiffness matrix reformations = %d\n", control().max_reformations - allowed_reformations_);
   log_.print("\tconvergence norms :        INITIAL         CURRENT         REQUIRED\n");
   const auto row = [&](const std::string& name, double first, double current, double enough) {
     log_.print("\t %-23s%15e %15e %15e\n", name.c_str(), first, current, enough);
@@ -146,7 +142,7 @@ bool Newton::augment() {
     take(::augment(contact.definition().name, contact.core(), contact.fields(values), augmentations_));
   for (const TiedContact& tie : ties) take(tie.augment(values, augmentations_));
   ++augmentations_;
-  allowed_reformations_ = control_.max_reformations;
+  allowed_reformations_ = control().max_reformations;
   if (!done) begin();
   return done;
 }
@@ -154,7 +150,7 @@ bool Newton::augment() {
 void Newton::solve_step(double time, double dt) {
   effort_ = {};
   augmentations_ = 0;
-  allowed_reformations_ = control_.max_reformations;
+  allowed_reformations_ = control().max_reformations;
   increment_ = VectorXd::Zero(problem_.values().size());
   problem_.start_step(time, dt);
   begin();

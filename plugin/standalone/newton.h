@@ -45,6 +45,7 @@ class Newton : private mixture_contact::SteppedModel {
     double energy = 0;
     VectorXd fields;
   };
+  const Control& control() const { return problem_.model().control; }
   Norms norms(const VectorXd& residual, const VectorXd& change) const;
 
   /// Assembles the matrix at the current state, and evaluates the residual unless `evaluated` is true and contact has
@@ -70,7 +71,6 @@ class Newton : private mixture_contact::SteppedModel {
 
   Problem& problem_;
   Log& log_;
-  const Control& control_;
   LinearSystem system_;
   Effort effort_;
   int allowed_reformations_ = 0;  ///< number of matrices that may still be assembled in the step

@@ -32,24 +32,23 @@ int dof_of(const Effects& effects, int field) {
 
 }  // namespace
 
-PairedSurfaces::PairedSurfaces(const Model& model, const PerSide<std::string>& names, const Bodies& bodies)
-    : model_(model), bodies_(bodies) {
+PairedSurfaces::PairedSurfaces(const PerSide<std::string>& names, const Bodies& bodies) : bodies_(bodies) {
   for (const Side side : both_sides) {
-    facets_[side] = model.mesh.surfaces.at(names[side]);
+    facets_[side] = model().mesh.surfaces.at(names[side]);
     nodes_[side] = nodes_of(facets_[side]);
   }
 }
 
 bool PairedSurfaces::can_move() const {
   std::set<int> fixed;
-  for (const Condition& condition : model_.prescribed) {
+  for (const Condition& condition : model().prescribed) {
     for (const int node : condition.nodes) {
-      if (condition.fixed) fixed.insert(model_.place(condition.dof, node));
+      if (condition.fixed) fixed.insert(model().place(condition.dof, node));
     }
   }
   const auto moves = [&](int node) {
-    return fixed.count(model_.place(0, node)) + fixed.count(model_.place(1, node)) +
-               fixed.count(model_.place(2, node)) <
+    return fixed.count(model().place(0, node)) + fixed.count(model().place(1, node)) +
+               fixed.count(model().place(2, node)) <
            3;
   };
   return std::any_of(both_sides.begin(), both_sides.end(),
@@ -61,7 +60,7 @@ FacetMaterial PairedSurfaces::material(const SurfaceFacet& facet, const MatrixXd
   const Material& material = bodies_.material(element);
   FacetMaterial found;
   Vector3d area(0, 0, 0);
-  for (const FacetPoint& point : facet_points(facet.facet, model_.mesh.nodes)) area += point.area;
+  for (const FacetPoint& point : facet_points(facet.facet, model().mesh.nodes)) area += point.area;
   const double thickness = bodies_.volume(element) / area.norm();
   found.thickness = thickness;
   found.stiffness = std::numeric_limits<double>::infinity();
@@ -112,7 +111,7 @@ SurfaceMesh PairedSurfaces::mesh(Side side) const {
 mixture_contact::PerSide<Matrix3Xd> PairedSurfaces::positions(const MatrixXd& values) const {
   PerSide<Matrix3Xd> all;
   for (const Side side : both_sides)
-    all[side] = model_.mesh.nodes(Eigen::all, nodes_[side]) + values.topRows<3>()(Eigen::all, nodes_[side]);
+    all[side] = model().mesh.nodes(Eigen::all, nodes_[side]) + values.topRows<3>()(Eigen::all, nodes_[side]);
   return all;
 }
 
@@ -135,10 +134,10 @@ std::vector<int> PairedSurfaces::places(const mixture_contact::Patch& patch, Sid
     const Side side = a < layout.primary_nodes() ? first : other(first);
     const int node = at(nodes_[side], patch.node(a));
     for (int i = 0; layout.has_displacements() && i < 3; ++i) {
-      all[layout.displacement(a, i)] = model_.place(i, node);
+      all[layout.displacement(a, i)] = model().place(i, node);
     }
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
-      all[layout.scalar(a, k)] = model_.place(dof_of(effects, patch.fields[k]), node);
+      all[layout.scalar(a, k)] = model().place(dof_of(effects, patch.fields[k]), node);
     }
   }
   return all;

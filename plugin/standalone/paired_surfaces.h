@@ -18,9 +18,10 @@ class PairedSurfaces {
   template <class T>
   using PerSide = mixture_contact::PerSide<T>;
 
-  /// Keeps references. Throws InputError if the materials cannot be used. `names`: names of the surfaces.
-  PairedSurfaces(const Model& model, const PerSide<std::string>& names, const Bodies& bodies);
+  /// Keeps a reference. Throws InputError if the materials cannot be used. `names`: names of the surfaces.
+  PairedSurfaces(const PerSide<std::string>& names, const Bodies& bodies);
 
+  const Model& model() const { return bodies_.model(); }
   const std::vector<int>& nodes(Side side) const { return nodes_[side]; }
   const PerSide<std::vector<int>>& nodes() const { return nodes_; }
   /// True if a displacement of any node is free.
@@ -45,7 +46,6 @@ class PairedSurfaces {
   FacetMaterial material(const SurfaceFacet& facet, const MatrixXd& values) const;
   mixture_contact::SurfaceMesh mesh(Side side) const;
 
-  const Model& model_;
   const Bodies& bodies_;
   PerSide<std::vector<SurfaceFacet>> facets_;  ///< facets with node indices of the mesh
   PerSide<std::vector<int>> nodes_;            ///< mesh nodes of each surface, in the node order of the core

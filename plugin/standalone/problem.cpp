@@ -78,9 +78,9 @@ double ambient_value(const Model& model, const ContactDefinition& contact, int d
 
 }  // namespace
 
-Problem::Problem(const Model& model) : model_(model), bodies_(model) {
-  for (const ContactDefinition& definition : model.contacts.sliding) contacts_.emplace_back(model, definition, bodies_);
-  for (const ContactDefinition& definition : model.contacts.tied) ties_.emplace_back(model, definition, bodies_);
+Problem::Problem(const Model& model) : bodies_(model) {
+  for (const ContactDefinition& definition : model.contacts.sliding) contacts_.emplace_back(definition, bodies_);
+  for (const ContactDefinition& definition : model.contacts.tied) ties_.emplace_back(definition, bodies_);
   for (const SurfaceLoad& load : model.loads) unit_forces_.push_back(unit_forces(model, load));
   state_.status = initial_status(model, bodies_);
   state_.values = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
@@ -98,10 +98,10 @@ Problem::Problem(const Model& model) : model_(model), bodies_(model) {
 }
 
 Matrix3Xd Problem::reactions() const {
-  Matrix3Xd all = Matrix3Xd::Zero(3, model_.mesh.nodes.cols());
-  for (const Condition& condition : model_.prescribed) {
+  Matrix3Xd all = Matrix3Xd::Zero(3, model().mesh.nodes.cols());
+  for (const Condition& condition : model().prescribed) {
     if (condition.dof >= 3 || condition.fixed) continue;
-    for (const int node : condition.nodes) all(condition.dof, node) = forces_[model_.place(condition.dof, node)];
+    for (const int node : condition.nodes) all(condition.dof, node) = forces_[model().place(condition.dof, node)];
   }
   return all;
 }
@@ -116,10 +116,10 @@ void Problem::start_step(double time, double dt) {
   time_ = time;
   dt_ = dt;
   pending_.setZero();
-  for (const Condition& condition : model_.prescribed) {
-    const double target = condition.value.at(time, model_.curves);
+  for (const Condition& condition : model().prescribed) {
+    const double target = condition.value.at(time, model().curves);
     for (const int node : condition.nodes) {
-      const int place = model_.place(condition.dof, node);
+      const int place = model().place(condition.dof, node);
       if (at(state_.status, place) == Status::prescribed) pending_[place] = target - state_.values(condition.dof, node);
     }
   }
@@ -163,11 +163,11 @@ bool Problem::switch_ambient() {
 
 bool Problem::switch_ambient(int node, bool in_contact, const ContactDefinition& contact) {
   bool changed = false;
-  for (int dof = pressure_dof; dof < model_.dofs(); ++dof) {
-    Status& status = at(state_.status, model_.place(dof, node));
+  for (int dof = pressure_dof; dof < model().dofs(); ++dof) {
+    Status& status = at(state_.status, model().place(dof, node));
     if (status != Status::free && status != Status::ambient) continue;
     double& value = state_.values(dof, node);
-    const double ambient = in_contact ? value : ambient_value(model_, contact, dof, time_);
+    const double ambient = in_contact ? value : ambient_value(model(), contact, dof, time_);
     const Status wanted = in_contact ? Status::free : Status::ambient;
     changed = changed || status != wanted || value != ambient;
     status = wanted;
@@ -193,8 +193,8 @@ VectorXd Problem::residual() {
     contact.core().residual(contact.fields(state_.values), dt_, adder(contact, forces_));
   for (const TiedContact& tie : ties_) tie.core().residual(tie.fields(state_.values), dt_, adder(tie, forces_));
   for (std::size_t k = 0; k < unit_forces_.size(); ++k) {
-    const SurfaceLoad& load = model_.loads[k];
-    forces_ += load.value.at(time_, model_.curves) * (load.fluid ? dt_ : 1.0) * unit_forces_[k].reshaped();
+    const SurfaceLoad& load = model().loads[k];
+    forces_ += load.value.at(time_, model().curves) * (load.fluid ? dt_ : 1.0) * unit_forces_[k].reshaped();
   }
   if (!forces_.allFinite()) throw StepFailure("a residual is not a finite number");
   return on_free_places(forces_);

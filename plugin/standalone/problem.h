@@ -16,7 +16,7 @@ class Problem {
   /// has are ignored.
   explicit Problem(const Model& model);
 
-  const Model& model() const { return model_; }
+  const Model& model() const { return bodies_.model(); }
   const Bodies& bodies() const { return bodies_; }
   std::vector<Contact>& contacts() { return contacts_; }
   const std::vector<TiedContact>& ties() const { return ties_; }
@@ -66,7 +66,6 @@ class Problem {
   bool switch_ambient(int node, bool in_contact, const ContactDefinition& contact);
   VectorXd on_free_places(VectorXd forces) const;
 
-  const Model& model_;
   Bodies bodies_;
   std::vector<Contact> contacts_;
   std::vector<TiedContact> ties_;

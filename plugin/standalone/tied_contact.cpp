@@ -10,13 +10,14 @@ namespace standalone {
 using mixture_contact::Settings;
 using mixture_contact::Tie;
 
-TiedContact::TiedContact(const Model& model, const ContactDefinition& definition, const Bodies& bodies)
-    : model_(model), definition_(definition), surfaces_(model, definition.surfaces, bodies) {
+TiedContact::TiedContact(ContactDefinition definition, const Bodies& bodies)
+    : definition_(std::move(definition)), surfaces_(definition_.surfaces, bodies) {
+  const Model& model = bodies.model();
   const MatrixXd at_rest = MatrixXd::Zero(model.dofs(), model.mesh.nodes.cols());
   const FacetMaterials materials = surfaces_.materials(at_rest);
   const mixture_contact::Effects effects = decide_effects(materials);
   mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes = surfaces_.meshes(materials, effects);
-  const Settings settings = tie_settings(definition.parameters, SolverKind::newton, 0);
+  const Settings settings = tie_settings(definition_.parameters, SolverKind::newton, 0);
   const mixture_contact::PerSide<Matrix3Xd> reference = surfaces_.positions(at_rest);
   auto nodes = mixture_contact::find_tied_nodes(meshes, effects, settings, reference);
   if (nodes.empty())
@@ -30,11 +31,13 @@ TiedContact::TiedContact(const Model& model, const ContactDefinition& definition
   if (!core_->penalties().traction.allFinite()) fail(no_stiffness);
 }
 
-void TiedContact::fail(const std::string& what) const { throw InputError(model_.file + ": " + title() + ": " + what); }
+void TiedContact::fail(const std::string& what) const {
+  throw InputError(surfaces_.model().file + ": " + title() + ": " + what);
+}
 
 mixture_contact::Effects TiedContact::decide_effects(const FacetMaterials& materials) {
   const Exchange exchange = tie_exchange(definition_.parameters,
-                                         fields_at_contact(materials, definition_.surfaces, model_.solutes));
+                                         fields_at_contact(materials, definition_.surfaces, surfaces_.model().solutes));
   if (!exchange.complaints.empty()) fail(exchange.complaints.front());
   lines_.push_back(title() + " exchanges " + exchange.summary);
   return exchange.effects;

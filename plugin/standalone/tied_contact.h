@@ -12,7 +12,7 @@ namespace standalone {
 class TiedContact {
  public:
   /// Finds the tied nodes in the reference configuration. Throws InputError if there are none.
-  TiedContact(const Model& model, const ContactDefinition& definition, const Bodies& bodies);
+  TiedContact(ContactDefinition definition, const Bodies& bodies);
 
   mixture_contact::Tie& core() const { return *core_; }
   /// Lines for the log with the exchanged effects and the number of tied nodes.
@@ -36,8 +36,7 @@ class TiedContact {
   mixture_contact::Effects decide_effects(const FacetMaterials& materials);
   std::string title() const { return "tied-mixture \"" + definition_.name + "\""; }
 
-  const Model& model_;
-  const ContactDefinition& definition_;
+  ContactDefinition definition_;
   PairedSurfaces surfaces_;
   std::vector<std::string> lines_;
   std::unique_ptr<mixture_contact::Tie> core_;

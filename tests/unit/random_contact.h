@@ -211,7 +211,7 @@ struct RandomContact {
     const std::vector<Index> displacements = entries(solid, -1);
     MatrixXd all = MatrixXd::Zero(layout.size(), layout.size());
     MatrixXd forces = MatrixXd::Zero(solid.size(), solid.size());
-    add_traction_tangent(point, vary, loads, forces);
+    add_traction_tangent(point, vary, normal_force(point, vary, loads), forces);
     all(displacements, displacements) = forces;
     for (Index k = 0; k < layout.scalar_fields(); ++k) {
       std::vector<Index> rows;

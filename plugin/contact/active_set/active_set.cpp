@@ -190,8 +190,8 @@ FrictionStatus ActiveSet::updated_friction(const NodalLoads& predicted) const {
 }
 
 ActiveSet::FrictionBands ActiveSet::friction_bands(const NodalLoads& predicted) const {
-  const VectorXd& bound = predicted.friction.bound;
-  const double largest = bound.size() > 0 ? bound.maxCoeff() : 0.0;
+  double largest = 0;
+  for (const double bound : predicted.friction.bound) largest = std::max(largest, bound);
   const double rounding = laws_.traction_rounding(predicted.size);
   return {rounding + options_.friction_band * largest, rounding + options_.edge_friction_band * largest};
 }

@@ -56,6 +56,14 @@ Index position_in(const IndexedVector<T>& list, const T& entry) {
   return std::find(list.begin(), list.end(), entry) - list.begin();
 }
 
+/// Adds to `list` the entries of `more` that it does not contain.
+template <class Entries>
+void merge_unique(IndexedVector<int>& list, const Entries& more) {
+  for (const int entry : more) {
+    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
+  }
+}
+
 /// One boolean per node of a surface.
 using NodeFlags = IndexedVector<bool>;
 

@@ -35,6 +35,8 @@ using FacetHessian = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, max_facet_nodes
 using FacetCoordinates = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_facet_nodes>;
 /// One value per node of a pair of facets, primary nodes first, shape (n1 + n2).
 using PairVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
+/// The positions of a pair's nodes in a larger patch.
+using PairPlaces = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
 /// Variation of a quantity with R components with respect to the nodal positions of a pair, shape (R, 3 (n1 + n2)).
 template <int R>
 using PairVariation = Eigen::Matrix<double, R, Eigen::Dynamic, (R == 1 ? Eigen::RowMajor : 0), R,

@@ -2,10 +2,24 @@
 /// The bound is linear in the traction and in the fluid pressure.
 #pragma once
 
+#include "base/effects.h"
 #include "base/settings.h"
 #include "base/types.h"
 
 namespace mixture_contact {
+
+/// The result of `frictionless` or of `with_friction`, by the tangential condition of a contact. No other function
+/// makes this choice.
+template <class Result, class Frictionless, class WithFriction>
+Result by_friction(FrictionKind kind, const Frictionless& frictionless, const WithFriction& with_friction) {
+  if (kind == FrictionKind::none) return frictionless();
+  return with_friction();
+}
+
+/// The number of tangential conditions at a node: 1 with friction, 0 without or while no tractions are exchanged.
+inline Index tangential_conditions(const Effects& effects) {
+  return effects.acting_friction() == FrictionKind::none ? 0 : 1;
+}
 
 /// The friction bound T_max and its derivatives.
 struct FrictionBound {

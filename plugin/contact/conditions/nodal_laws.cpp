@@ -69,6 +69,15 @@ Matrix3Xd friction_multipliers(const NodalFriction& friction) {
   return lambda;
 }
 
+/// Copies the column of a node, unless one of the contacts has no such values.
+void copy_node(Matrix3Xd& now, const Matrix3Xd& before, const std::pair<Index, Index>& node) {
+  if (now.cols() > 0 && before.cols() > 0) now.col(node.first) = before.col(node.second);
+}
+
+void copy_node(NodeFlags& now, const NodeFlags& before, const std::pair<Index, Index>& node) {
+  if (!now.empty() && !before.empty()) now[node.first] = before[node.second];
+}
+
 /// Accepts the present friction and slip status.
 void take_friction(Multipliers& multipliers, const NodalLoads& loads) {
   if (loads.friction.empty()) return;
@@ -86,6 +95,21 @@ NodalLaws::NodalLaws(const SurfaceMesh& primary, const SurfaceMesh& secondary, c
   multipliers.flux_penalty_scale.setOnes(effects.scalar_fields());
   update_penalties();
   forget_steps();
+}
+
+void carry_over(Multipliers& now, const Multipliers& before, const CommonNodes& nodes) {
+  if (before.flux.rows() != now.flux.rows()) return;
+  now.traction_penalty_scale = before.traction_penalty_scale;
+  now.flux_penalty_scale = before.flux_penalty_scale;
+  now.friction_penalty_scale = before.friction_penalty_scale;
+  for (const auto& node : nodes) {
+    now.traction[node.first] = before.traction[node.second];
+    now.flux.col(node.first) = before.flux.col(node.second);
+    now.accepted_traction[node.first] = before.accepted_traction[node.second];
+    copy_node(now.flux_coupled, before.flux_coupled, node);
+    copy_node(now.friction, before.friction, node);
+    copy_node(now.slips, before.slips, node);
+  }
 }
 
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
@@ -151,7 +175,6 @@ FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vec
 }
 
 ElasticSlip elastic_slip(const NodalLoads& loads, Index node) {
-  if (loads.friction.empty()) return {};
   const auto in_plane = [&] { return carried_trial(loads.friction, node, loads.friction.slip.col(node)).value; };
   return {loads.slips[node] ? 0.0 : in_plane().norm(), loads.friction.traction.col(node).norm()};
 }

@@ -8,6 +8,8 @@
 #include "conditions/penalty.h"
 
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace mixture_contact {
 
@@ -28,6 +30,11 @@ struct Multipliers {
   double friction_penalty_scale = 1;  ///< factor by which augmentations have increased the tangential penalty
 };
 
+/// Both indices of nodes that a surface had before a change of its nodes and still has: the new one and the old one.
+using CommonNodes = std::vector<std::pair<Index, Index>>;
+/// Takes the values of these nodes and the penalty scales from `before`; nothing if the exchanged fields differ.
+void carry_over(Multipliers& now, const Multipliers& before, const CommonNodes& nodes);
+
 /// True if multipliers have the nodes and fields of a contact.
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects);
 
@@ -46,7 +53,7 @@ FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vec
 /// The friction traction of a node in contact, by its status stick or slip.
 FrictionTraction friction_law(const NodalLoads& loads, Index node);
 
-/// The error of a node in contact in the condition of stick, with its load; both are zero without friction.
+/// The error of a node in contact in the condition of stick, with its load.
 struct ElasticSlip {
   double slip = 0;      ///< slip of a sticking node in its tangent plane, where friction opposes it [mm]
   double traction = 0;  ///< size of the friction traction [MPa]
@@ -181,9 +188,6 @@ class NodalLaws {
   NodeFlags soft_;  ///< nodes whose gap no solution can change; empty if there is none or their penalties are as given
   IndexedVector<std::unique_ptr<ScalarCondition>> scalars_;  ///< condition per field
 };
-
-/// True if loads are linear in gaps and jumps, which excludes friction.
-inline bool are_linear(const NodalLaws& laws) { return !laws.effects().may_rub(); }
 
 /// The stiffness of the adjoining elements over the traction penalty per node, at most 1 [-]; 1 between rigid bodies.
 VectorXd stiffness_over_penalty(const NodalLaws& laws);

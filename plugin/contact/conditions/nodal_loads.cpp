@@ -6,7 +6,7 @@ NodalLoads change(const NodalLoads& from, const NodalLoads& to) {
   NodalLoads difference = to;
   difference.traction -= from.traction;
   difference.flux -= from.flux;
-  if (!to.friction.empty()) difference.friction.traction -= from.friction.traction;
+  difference.friction.traction -= from.friction.traction;
   for (Index node = 0; node < from.in_contact.count(); ++node) {
     if (from.in_contact[node]) difference.in_contact[node] = true;
   }

@@ -19,7 +19,7 @@ VectorXd growing_penalties(const NodalLaws& laws) {
 
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
   GapSums traction;
-  GapSums slip;
+  IndexedVector<GapSums> slip(tangential_conditions(laws.effects()));
   IndexedVector<GapSums> flux(laws.effects().scalar_fields());
   const Penalties& base = laws.penalties();
   const VectorXd rounding = laws.field_rounding(fields, loads.size);
@@ -28,8 +28,10 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
     if (!laws.has_soft_gap(node)) {
       const double gap = laws.normal().residual_gap(loads.gap[node], loads.traction[node]);
       traction.add(loads.area[node], base.stiffness[node], gap, loads.traction[node], std::sqrt(loads.area[node]));
-      const ElasticSlip elastic = elastic_slip(loads, node);
-      slip.add(loads.area[node], base.stiffness[node], elastic.slip, elastic.traction, std::sqrt(loads.area[node]));
+      for (GapSums& sums : slip) {
+        const ElasticSlip elastic = elastic_slip(loads, node);
+        sums.add(loads.area[node], base.stiffness[node], elastic.slip, elastic.traction, std::sqrt(loads.area[node]));
+      }
     }
     if (!loads.flux_coupled[node]) continue;
     for (Index k = 0; k < flux.count(); ++k) {
@@ -39,7 +41,8 @@ GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const Fac
                   loads.flux(k, node), fields.primary.scalar(node, k));
     }
   }
-  GapReport report{traction.field_gap(), {}, slip.field_gap()};
+  GapReport report{traction.field_gap(), {}, {}};
+  for (const GapSums& sums : slip) report.slip.push_back(sums.field_gap());
   for (const GapSums& sums : flux) report.flux.push_back(sums.field_gap());
   return report;
 }
@@ -50,9 +53,11 @@ bool grow_penalties(NodalLaws& laws, const GapReport& report, const Tolerances& 
   const VectorXd growing = growing_penalties(laws);
   bool any = grow(state.traction_penalty_scale, report.traction, tolerances.traction, growing, penalty.stiffness,
                   laws.largest_traction_factor());
-  any = grow(state.friction_penalty_scale, report.slip, tolerances.traction, laws.friction_factor() * growing,
-             penalty.stiffness, laws.largest_traction_factor()) ||
-        any;
+  for (const FieldGap& slip : report.slip) {
+    any = grow(state.friction_penalty_scale, slip, tolerances.traction, laws.friction_factor() * growing,
+               penalty.stiffness, laws.largest_traction_factor()) ||
+          any;
+  }
   const double largest_flux_factor = laws.has_twin() ? two_pass_flux_factor : default_flux_factor;
   for (Index k = 0; k < report.flux.count(); ++k) {
     if (!laws.scalar(k).is_enforced()) continue;

@@ -1,8 +1,7 @@
 /// Evaluation of the integral (2.5) by a pass, for surfaces that move and for surfaces that are fixed.
 #pragma once
 
-#include "active_set/active_set.h"
-#include "enforcement/enforcement_method.h"
+#include "enforcement/pass_parts.h"
 
 namespace mixture_contact {
 

@@ -10,8 +10,9 @@ namespace mixture_contact {
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
                                                       const NodalLaws& laws) {
   if (enforcement == Enforcement::lagrange_multipliers) return std::make_unique<UnknownMultipliers>(space, laws);
-  if (are_linear(laws)) return std::make_unique<PenaltyMethod>(space, laws);
-  return std::make_unique<FrictionPenalty>(space, laws);
+  return by_friction<std::unique_ptr<EnforcementMethod>>(
+      laws.effects().friction_kind, [&] { return std::make_unique<PenaltyMethod>(space, laws); },
+      [&] { return std::make_unique<FrictionPenalty>(space, laws); });
 }
 
 Patch EnforcementMethod::flux_columns(const Patch& patch, int field) const {

@@ -21,46 +21,46 @@ VectorXd flux_residual(Index node, const NodeLinearisation& linear, const NodalL
 
 }  // namespace
 
-FixedGeometry::FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method)
-    : space_(space), active_set_(active_set), method_(method), nodes_(space.nodes()) {
+FixedGeometry::FixedGeometry(PassParts& parts) : parts_(parts), nodes_(parts.space.nodes()) {
+  const MortarSpace& space = parts_.space;
   const Index fields = space.effects().scalar_fields();
   fixed_.in_contact = fixed_.flux_coupled = NodeFlags(space.nodes(), false);
   fixed_.area.setZero(space.nodes());
   fixed_.gap.setZero(space.nodes());
   fixed_.flux_area.setZero(fields, space.nodes());
   fixed_.jump.setZero(fields, space.nodes());
-  method_.load(fixed_);
+  parts_.method->load(fixed_);
 }
 
 void FixedGeometry::update(const FacingPositions& x) {
-  const Index fields = space_.effects().scalar_fields();
-  space_.boundary_weights().reconsider();
-  space_.update_boundary_weights(x);
+  const Index fields = parts_.space.effects().scalar_fields();
+  parts_.space.boundary_weights().reconsider();
+  parts_.space.update_boundary_weights(x);
   const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields), {}};
   const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields), {}};
-  NodalGaps gaps = space_.gaps();
-  const NodeFlags status = active_set_.initial(gaps);
-  fixed_ = space_.averages(std::move(gaps), {primary, secondary}, {status, status, {}});
-  fixed_.traction.setZero(space_.nodes());
-  fixed_.flux.setZero(fields, space_.nodes());
-  nodes_ = linearise(space_, fixed_, {primary, secondary});
+  NodalGaps gaps = parts_.space.gaps();
+  const NodeFlags status = parts_.active_set.initial(gaps);
+  fixed_ = parts_.space.averages(std::move(gaps), {primary, secondary}, {status, status, {}});
+  fixed_.traction.setZero(parts_.space.nodes());
+  fixed_.flux.setZero(fields, parts_.space.nodes());
+  nodes_ = linearise(parts_.space, fixed_, {primary, secondary});
 }
 
 void FixedGeometry::end_iterations() {
-  space_.boundary_weights().reconsider();
-  space_.change_facing().end_iterations();
+  parts_.space.boundary_weights().reconsider();
+  parts_.space.change_facing().end_iterations();
 }
 
 NodalLoads FixedGeometry::loads(const FacingFields& fields) const {
   NodalLoads loads = fixed_;
-  loads.own = own_values(fields, space_.effects());
+  loads.own = own_values(fields, parts_.space.effects());
   in_parallel(nodes_.count(), [&](Index node) {
     const NodeLinearisation& linear = nodes_[node];
     for (Index k = 0; k < linear.jumps.count(); ++k) {
       loads.jump(linear.patch.fields[k], node) = jump_of(linear, k, fields);
     }
   });
-  method_.load(loads);
+  parts_.method->load(loads);
   return loads;
 }
 
@@ -70,18 +70,18 @@ void FixedGeometry::residual(const FacingFields& fields, double dt, const AddVec
   in_order(nodes_.count(), of_node, [&](Index node, const VectorXd& sum) {
     if (sum.size() > 0) add(nodes_[node].patch, sum);
   });
-  method_.equations(now, method_.equation_weights(now, fields.primary.position), dt, add);
+  parts_.method->equations(now, parts_.method->equation_weights(now, fields.primary.position), dt, add);
 }
 
 void FixedGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
   const NodalLoads now = loads(fields);
-  const VectorXd weights = method_.equation_weights(now, fields.primary.position);
-  node_tangents(method_, space_, nodes_, now, weights, dt, add);
+  const VectorXd weights = parts_.method->equation_weights(now, fields.primary.position);
+  node_tangents(*parts_.method, parts_.space, nodes_, now, weights, dt, add);
 }
 
 void FixedGeometry::for_each_coupling(const Couplings& use) const {
   for (Index node = 0; node < nodes_.count(); ++node) {
-    if (!nodes_[node].empty()) use_node(method_, space_, node, nodes_[node].patch, use);
+    if (!nodes_[node].empty()) use_node(*parts_.method, parts_.space, node, nodes_[node].patch, use);
   }
 }
 

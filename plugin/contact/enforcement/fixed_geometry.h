@@ -9,8 +9,8 @@ namespace mixture_contact {
 /// The evaluation of a pass whose surfaces are fixed.
 class FixedGeometry : public ContactGeometry {
  public:
-  /// Keeps references. No node is in contact until update() is called.
-  FixedGeometry(MortarSpace& space, const ActiveSet& active_set, const EnforcementMethod& method);
+  /// Keeps a reference. No node is in contact until update() is called.
+  explicit FixedGeometry(PassParts& parts);
 
   void update(const FacingPositions& x) override;
   void end_iterations() override;
@@ -23,9 +23,7 @@ class FixedGeometry : public ContactGeometry {
   std::size_t memory() const override { return 0; }
 
  private:
-  MortarSpace& space_;
-  const ActiveSet& active_set_;
-  const EnforcementMethod& method_;
+  PassParts& parts_;
   NodalLoads fixed_;                        ///< areas, gaps and contact status
   IndexedVector<NodeLinearisation> nodes_;  ///< per node, jumps without displacements; empty for nodes out of contact
 };

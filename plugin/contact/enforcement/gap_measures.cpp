@@ -48,7 +48,8 @@ bool is_within(const FieldGap& gap, const Tolerances::Field& tolerance) {
 }
 
 bool meets(const GapReport& report, const Tolerances& tolerances, const Effects& effects) {
-  bool met = is_within(report.traction, tolerances.traction) && is_within(report.slip, tolerances.traction);
+  bool met = is_within(report.traction, tolerances.traction);
+  for (const FieldGap& slip : report.slip) met = met && is_within(slip, tolerances.traction);
   for (Index k = 0; k < report.flux.count(); ++k)
     met = met && is_within(report.flux[k], tolerance_of_flux(tolerances, effects, k));
   return met;

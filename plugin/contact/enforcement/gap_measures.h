@@ -14,11 +14,12 @@ struct FieldGap {
   double largest = 0;   ///< largest |gap| or |jump| in contact, in the unit of the field
 };
 
-/// The errors of all conditions: traction, each exchanged scalar field in the order of Effects, and friction.
+/// The errors of all conditions: traction, each exchanged scalar field in the order of Effects, and each tangential
+/// condition, which is the elastic slip of sticking nodes.
 struct GapReport {
   FieldGap traction;
   IndexedVector<FieldGap> flux;
-  FieldGap slip = {};  ///< elastic slip of sticking nodes
+  IndexedVector<FieldGap> slip = {};  // NOLINT(readability-redundant-member-init): lists may leave it out
 };
 
 /// The larger of two values; NaN if one of them is NaN, such that a failed evaluation never counts as converged.

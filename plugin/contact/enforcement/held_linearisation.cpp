@@ -37,25 +37,27 @@ void HeldLinearisation::ended() {
 
 void HeldLinearisation::has_matrix(bool has_loads) {
   has_matrix_ = point_ != nullptr;
-  has_loads_ = has_loads && method_.has_load_blocks() && laws_.effects().nodal_fields() == 0;
-  added_.fill(laws_.nodes(), false);
+  has_loads_ = has_loads && parts_.method->has_load_blocks() && parts_.laws.effects().nodal_fields() == 0;
+  added_.fill(parts_.laws.nodes(), false);
 }
 
 void HeldLinearisation::follows(const NodalLoads& before) { change_ = AtPoints{change(before, point_->loads)}; }
 
-bool HeldLinearisation::is_correctable() const { return has_matrix_ && point_->is_linearised() && method_.is_linear(); }
+bool HeldLinearisation::is_correctable() const {
+  return has_matrix_ && point_->is_linearised() && parts_.method->is_linear();
+}
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields, ContactStatus status) const {
-  NodalLoads now = space_.averages(space_.gaps(), fields, std::move(status));
-  method_.load(now);
+  NodalLoads now = parts_.space.averages(parts_.space.gaps(), fields, std::move(status));
+  parts_.method->load(now);
   return now;
 }
 
 double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& now) const {
   double largest = 0;
-  for (Index node = 0; node < laws_.nodes(); ++node) {
+  for (Index node = 0; node < parts_.laws.nodes(); ++node) {
     if (!predicted.in_contact[node]) continue;
-    const double stiffness = std::min(laws_.penalties().stiffness[node], laws_.traction_penalty(node));
+    const double stiffness = std::min(parts_.laws.penalties().stiffness[node], parts_.laws.traction_penalty(node));
     largest = std::max(largest, stiffness * std::abs(predicted.gap[node] - now.gap[node]));
   }
   return largest;
@@ -63,14 +65,14 @@ double HeldLinearisation::doubt(const NodalLoads& predicted, const NodalLoads& n
 
 bool HeldLinearisation::may_take(const NodeFlags& status, Index most) const {
   if (!has_loads_) return false;
-  const auto around = space_.facing().around(unknown_of(status));
+  const auto around = parts_.space.facing().around(unknown_of(status));
   Index changed = 0;
   for (Index node = 0; node < status.count(); ++node) {
     const NodeLinearisation& linear = point_->nodes[node];
     const bool is_of_matrix = !linear.empty() && !added_[node];
     if (status[node] == is_of_matrix) continue;
     ++changed;
-    if (is_of_rigid_bodies(linear.empty() ? space_.node_patch(node, around[node]) : linear.patch)) return false;
+    if (is_of_rigid_bodies(linear.empty() ? parts_.space.node_patch(node, around[node]) : linear.patch)) return false;
   }
   return changed <= most;
 }
@@ -86,13 +88,13 @@ bool HeldLinearisation::is_of_rigid_bodies(const Patch& patch) const {
 }
 
 bool HeldLinearisation::serves(const FacingFields& fields) const {
-  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields, point_->loads.status());
   const double error = error_of(predicted, now);
-  const ActiveSetOptions& options = active_set_.options();
+  const ActiveSetOptions& options = parts_.active_set.options();
   const bool comes_nearer = last_error_ == 0 || error <= options.most_left * last_error_ ||
-                            !differ(space_, laws_, predicted, now, options.solution_load, fields);
-  const NodeFlags status = active_set_.updated(predicted, now, doubt(predicted, now));
+                            !differ(parts_.space, parts_.laws, predicted, now, options.solution_load, fields);
+  const NodeFlags status = parts_.active_set.updated(predicted, now, doubt(predicted, now));
   return comes_nearer && (status == predicted.in_contact || may_take(status, options.most_changed_again));
 }
 
@@ -101,23 +103,23 @@ bool HeldLinearisation::correct(const FacingFields& fields) {
     keep();
     return false;
   }
-  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
+  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
   const NodalLoads now = true_loads(fields, point_->loads.status());
   last_error_ = error_of(predicted, now);
   begins_ = false;
   const bool adds = has_loads_ && change_status(predicted, now, fields);
-  point_->loads.gap += now.gap - (adds ? method_.predicted_loads(*point_, fields) : predicted).gap;
+  point_->loads.gap += now.gap - (adds ? parts_.method->predicted_loads(*point_, fields) : predicted).gap;
   point_->loads.jump += now.jump - predicted.jump;
-  method_.load(point_->loads);
-  const ByWorks corrected{change(predicted, method_.predicted_loads(*point_, fields))};
+  parts_.method->load(point_->loads);
+  const ByWorks corrected{change(predicted, parts_.method->predicted_loads(*point_, fields))};
   change_ = corrected;
   return !corrected.loads.traction.isZero(0) || !corrected.loads.flux.isZero(0) || !released().empty() ||
          !added().empty();
 }
 
 bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields) {
-  const NodeFlags status = active_set_.updated(predicted, now, doubt(predicted, now));
-  const ContactStatus next = active_set_.next(predicted.in_contact, status, true);
+  const NodeFlags status = parts_.active_set.updated(predicted, now, doubt(predicted, now));
+  const ContactStatus next = parts_.active_set.next(predicted.in_contact, status, true);
   if (next.in_contact != predicted.in_contact) last_error_ = 0;
   point_->loads.in_contact = next.in_contact;
   point_->loads.flux_coupled = next.flux_coupled;
@@ -129,7 +131,7 @@ bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLo
 
 void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingFields& fields) {
   const NodalLoads there = true_loads(fields, {nodes, nodes, {}});
-  IndexedVector<NodeLinearisation> linear = linearise(space_, there, fields);
+  IndexedVector<NodeLinearisation> linear = linearise(parts_.space, there, fields);
   for (Index node = 0; node < linear.count(); ++node) {
     if (!nodes[node]) continue;
     point_->nodes[node] = std::move(linear[node]);
@@ -138,43 +140,43 @@ void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingField
   }
 }
 
-bool HeldLinearisation::may_decide() const { return is_correctable() && has_loads_ && active_set_.may_predict(); }
+bool HeldLinearisation::may_decide() const { return is_correctable() && has_loads_ && parts_.active_set.may_predict(); }
 
 NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, const FacingFields& fields) {
-  if (!may_decide() || begins_) return NodeFlags(laws_.nodes(), false);
+  if (!may_decide() || begins_) return NodeFlags(parts_.laws.nodes(), false);
   NodeFlags apart;
-  for (Index node = 0; node < laws_.nodes(); ++node)
-    apart.push_back(point_->nodes[node].empty() && space_.gaps().faces(node));
-  NodalGaps ahead = space_.gaps();
-  ahead.gap += gap_changes(space_, apart, displacements);
-  NodeFlags found = active_set_.initial(ahead);
-  for (Index node = 0; node < laws_.nodes(); ++node) found[node] = found[node] && apart[node];
-  const auto around = space_.facing().around(found);
-  for (Index node = 0; node < laws_.nodes(); ++node)
-    found[node] = found[node] && !is_of_rigid_bodies(space_.node_patch(node, around[node]));
+  for (Index node = 0; node < parts_.laws.nodes(); ++node)
+    apart.push_back(point_->nodes[node].empty() && parts_.space.gaps().faces(node));
+  NodalGaps ahead = parts_.space.gaps();
+  ahead.gap += gap_changes(parts_.space, apart, displacements);
+  NodeFlags found = parts_.active_set.initial(ahead);
+  for (Index node = 0; node < parts_.laws.nodes(); ++node) found[node] = found[node] && apart[node];
+  const auto around = parts_.space.facing().around(found);
+  for (Index node = 0; node < parts_.laws.nodes(); ++node)
+    found[node] = found[node] && !is_of_rigid_bodies(parts_.space.node_patch(node, around[node]));
   if (!any(found)) return found;
   linearise_more(found, fields);
-  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  for (Index node = 0; node < laws_.nodes(); ++node) {
-    if (found[node]) point_->loads.gap[node] += space_.gaps().gap[node] - predicted.gap[node];
+  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
+  for (Index node = 0; node < parts_.laws.nodes(); ++node) {
+    if (found[node]) point_->loads.gap[node] += parts_.space.gaps().gap[node] - predicted.gap[node];
   }
   return found;
 }
 
 VectorXd HeldLinearisation::undecided(const FacingFields& fields) const {
-  VectorXd tractions = unknown_values(laws_.nodes());
+  VectorXd tractions = unknown_values(parts_.laws.nodes());
   if (!may_decide()) return tractions;
-  const NodalLoads now = method_.predicted_loads(*point_, fields);
+  const NodalLoads now = parts_.method->predicted_loads(*point_, fields);
   for (Index node = 0; node < tractions.size(); ++node) {
     if (now.in_contact[node]) tractions[node] = now.traction[node];
   }
-  for (const int node : nearing()) tractions[node] = laws_.traction_trial(node, now.gap[node]).value;
+  for (const int node : nearing()) tractions[node] = parts_.laws.traction_trial(node, now.gap[node]).value;
   return tractions;
 }
 
 NodeFlags HeldLinearisation::opening(const VectorXd& tractions, const NodeFlags& opened) const {
-  const NodeFlags found = active_set_.opening(tractions, opened, point_->loads.size);
-  return may_take(status_without(found), active_set_.options().most_changed) ? found : opened;
+  const NodeFlags found = parts_.active_set.opening(tractions, opened, point_->loads.size);
+  return may_take(status_without(found), parts_.active_set.options().most_changed) ? found : opened;
 }
 
 NodeFlags HeldLinearisation::status_without(const NodeFlags& open) const {
@@ -187,11 +189,11 @@ NodeFlags HeldLinearisation::status_without(const NodeFlags& open) const {
 void HeldLinearisation::open(const NodeFlags& nodes, const FacingFields& fields) {
   NodeFlags status = status_without(nodes);
   if (status == point_->loads.in_contact) return keep();
-  const NodalLoads before = method_.predicted_loads(*point_, fields);
+  const NodalLoads before = parts_.method->predicted_loads(*point_, fields);
   point_->loads.in_contact = std::move(status);
   point_->loads.flux_coupled = point_->loads.in_contact;
-  method_.load(point_->loads);
-  change_ = ByWorks{change(before, method_.predicted_loads(*point_, fields))};
+  parts_.method->load(point_->loads);
+  change_ = ByWorks{change(before, parts_.method->predicted_loads(*point_, fields))};
 }
 
 IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added) const {
@@ -206,7 +208,7 @@ IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added)
 
 void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const {
   for (const int node : nodes) {
-    const NodeTangent tangent = method_.node_tangent(node, point_->nodes[node], point_->loads, {}, dt);
+    const NodeTangent tangent = parts_.method->node_tangent(node, point_->nodes[node], point_->loads, {}, dt);
     for (const LoadBlock& load : tangent.loads) add(load);
   }
 }
@@ -214,8 +216,9 @@ void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, co
 void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& fields, double dt,
                                     const AddVector& add) const {
   // The works of nodes in contact are known, except those of friction and the fluxes of nodes that have opened.
-  const bool has_works = point_->is_linearised() && method_.is_linear() && laws_.effects().nodal_fields() == 0;
-  if (!has_works) return nodal_residual(space_, change.loads, fields, dt, add);
+  const bool has_works = point_->is_linearised() && parts_.method->is_linear() &&
+                         parts_.laws.effects().nodal_fields() == 0;
+  if (!has_works) return nodal_residual(parts_.space, change.loads, fields, dt, add);
   linear_residual(point_->nodes, change.loads, fields, dt, add);
   const NodeFlags others = unknown_of(change.loads.in_contact);
   if (!any(others)) return;
@@ -224,7 +227,7 @@ void HeldLinearisation::residual_of(const AtPoints& change, const FacingFields& 
   for (Index node = 0; node < rest.traction.size(); ++node) {
     if (!others[node]) rest.traction[node] = 0;
   }
-  nodal_residual(space_, rest, fields, dt, add);
+  nodal_residual(parts_.space, rest, fields, dt, add);
 }
 
 bool HeldLinearisation::residual_change(const FacingFields& fields, double dt, const AddVector& add) const {

@@ -1,7 +1,7 @@
 /// A linearisation that is used in several iterations, for hosts that keep their matrix.
 #pragma once
 
-#include "active_set/active_set.h"
+#include "enforcement/pass_parts.h"
 #include "enforcement/virtual_work.h"
 
 #include <variant>
@@ -12,10 +12,8 @@ namespace mixture_contact {
 /// the same matrix.
 class HeldLinearisation {
  public:
-  /// Keeps references to all arguments.
-  HeldLinearisation(const MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set,
-                    const EnforcementMethod& method)
-      : space_(space), laws_(laws), active_set_(active_set), method_(method) {}
+  /// Keeps a reference to the parts.
+  explicit HeldLinearisation(PassParts& parts) : parts_(parts) {}
 
   // The pass that owns the linearisation calls the next four functions.
   /// Sets a new linearisation and keeps a reference to it. `begins`: true in the first iteration of a step.
@@ -115,10 +113,7 @@ class HeldLinearisation {
   /// Sets the status that the loads require. Returns true if this has added nodes.
   bool change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields);
 
-  const MortarSpace& space_;
-  const NodalLaws& laws_;
-  ActiveSet& active_set_;
-  const EnforcementMethod& method_;
+  PassParts& parts_;
   LinearisationPoint* point_ = nullptr;  ///< linearisation of the pass; null if there is none
   /// The change of the loads at the start of the iteration; std::monostate if it is unknown.
   std::variant<std::monostate, Nothing, AtPoints, ByWorks> change_;

@@ -67,21 +67,21 @@ void for_each_node_patch(const MortarSpace& space, const NodeFlags& in_contact,
 void MovingGeometry::update(const FacingPositions& x) {
   last_.take_over(geometric_);
   held_.moved();
-  if (!point_) space_.boundary_weights().reconsider();
-  space_.update_boundary_weights(x);
+  if (!point_) parts_.space.boundary_weights().reconsider();
+  parts_.space.update_boundary_weights(x);
 }
 
 LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, NodalLoads averages,
                                                 const DecideFriction& decide, const NodalLoads* predicted) const {
   LinearisationPoint point;
   point.loads = std::move(averages);
-  method_.load(point.loads);
-  laws_.begin_friction(point.loads, decide, predicted);
+  parts_.method->load(point.loads);
+  parts_.laws.begin_friction(point.loads, decide, predicted);
   point.primary = fields.primary;
   point.secondary = fields.secondary;
-  point.equation_weights = method_.equation_weights(point.loads, fields.primary.position);
+  point.equation_weights = parts_.method->equation_weights(point.loads, fields.primary.position);
   if (!point.primary.rigid.body.empty() || !point.secondary.rigid.body.empty())
-    point.beyond_part = stiffness_over_penalty(laws_);
+    point.beyond_part = stiffness_over_penalty(parts_.laws);
   return point;
 }
 
@@ -89,17 +89,17 @@ void MovingGeometry::hold(LinearisationPoint point, const FacingFields& fields) 
   // The first iteration may reuse the last linearisation; later iterations linearise at their own state. Unknown
   // multipliers exclude reuse, because their rows include all nodes, and friction does, because slips are measured from
   // the start of each step.
-  const bool begins = !point_ && method_.predicts();
-  const bool reuses = begins && method_.is_linear();
+  const bool begins = !point_ && parts_.method->predicts();
+  const bool reuses = begins && parts_.method->is_linear();
   let_go();
   std::optional<PastLinearisation> past = last_.take();
   if (reuses) {
-    geometric_ = linearise_both_parts(point, space_, fields, std::move(past), same_to_linearisation(laws_));
+    geometric_ = linearise_both_parts(point, parts_.space, fields, std::move(past), same_to_linearisation(parts_.laws));
   } else {
     GeometricParts memory = past ? std::move(past->geometric.pairs) : GeometricParts();
-    geometric_ = linearise_both_parts(point, space_, fields, std::nullopt, 0, std::move(memory));
+    geometric_ = linearise_both_parts(point, parts_.space, fields, std::nullopt, 0, std::move(memory));
   }
-  vary_trials(laws_, point.loads, point.nodes);
+  vary_trials(parts_.laws, point.loads, point.nodes);
   held_.replaced(point_.emplace(std::move(point)), begins);
 }
 
@@ -110,7 +110,7 @@ const GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) cons
 }
 
 NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps& gaps) const {
-  return point_ ? active_set_.updated(now, gaps) : active_set_.initial(gaps);
+  return point_ ? parts_.active_set.updated(now, gaps) : parts_.active_set.initial(gaps);
 }
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
@@ -119,21 +119,21 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
   // whether the node is in contact. Nodes with a compressive multiplier therefore stay in contact until an iteration
   // has changed them.
   for (Index node = 0; augmented_ && node < status.count(); ++node) {
-    status[node] = status[node] || (gaps.faces(node) && laws_.multipliers.traction[node] < 0);
+    status[node] = status[node] || (gaps.faces(node) && parts_.laws.multipliers.traction[node] < 0);
   }
-  const bool begins = !point_ && !augmented_ && !active_set_.is_restricted();
-  if (!begins || !closes_overlapped(laws_, any(status))) return status;
-  const bool is_free = laws_.close_overlapped && !any(status);
-  NodeFlags touching = overlapped_nodes(space_);
-  if (is_free && !any(touching)) touching = nearest_nodes(space_);
+  const bool begins = !point_ && !augmented_ && !parts_.active_set.is_restricted();
+  if (!begins || !closes_overlapped(parts_.laws, any(status))) return status;
+  const bool is_free = parts_.laws.close_overlapped && !any(status);
+  NodeFlags touching = overlapped_nodes(parts_.space);
+  if (is_free && !any(touching)) touching = nearest_nodes(parts_.space);
   std::transform(status.begin(), status.end(), touching.begin(), status.begin(), std::logical_or<>());
   return status;
 }
 
 bool MovingGeometry::find_points(const FacingPositions& x) {
-  const bool finds_more = space_.keep_lost_points(x);
-  if (finds_more && !point_) space_.boundary_weights().reconsider();
-  space_.update_boundary_weights(x);
+  const bool finds_more = parts_.space.keep_lost_points(x);
+  if (finds_more && !point_) parts_.space.boundary_weights().reconsider();
+  parts_.space.update_boundary_weights(x);
   return finds_more;
 }
 
@@ -141,18 +141,19 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool predicted = point_.has_value();
   const bool finds_more = find_points(positions(fields));
   const NodalLoads before = loads(fields);
-  if (!predicted) active_set_.start_counting();
+  if (!predicted) parts_.active_set.start_counting();
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    return predicted ? active_set_.next_friction(before, now) : active_set_.initial_friction(now);
+    return predicted ? parts_.active_set.next_friction(before, now) : parts_.active_set.initial_friction(now);
   };
-  NodalGaps gaps = space_.gaps();
-  ContactStatus status = active_set_.next(before.in_contact, beginning_status(before, gaps), predicted);
-  LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
-                                         predicted ? &before : nullptr);
+  NodalGaps gaps = parts_.space.gaps();
+  ContactStatus status = parts_.active_set.next(before.in_contact, beginning_status(before, gaps), predicted);
+  LinearisationPoint next = evaluated_at(fields, parts_.space.averages(std::move(gaps), fields, std::move(status)),
+                                         decide, predicted ? &before : nullptr);
   set_geometric_loads(next, before);
   const bool changed = finds_more || !have_same_status(before, next.loads, predicted) ||
-                       differ(space_, laws_, before, next.loads, active_set_.options().same_load, fields);
-  const bool same_points = predicted && !finds_more && method_.predicts();
+                       differ(parts_.space, parts_.laws, before, next.loads, parts_.active_set.options().same_load,
+                              fields);
+  const bool same_points = predicted && !finds_more && parts_.method->predicts();
   hold(std::move(next), fields);
   if (same_points) held_.follows(before);
   return changed;
@@ -161,24 +162,24 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
 void MovingGeometry::set_geometric_loads(LinearisationPoint& next, const NodalLoads& before) {
   const bool predicted = point_.has_value();
   if (std::exchange(augmented_, false)) {
-    next.geometric_traction = laws_.multipliers.traction;
-    next.geometric_flux = laws_.multipliers.flux;
-    next.geometric_friction = convected_friction(laws_.multipliers, next.loads.friction);
+    next.geometric_traction = parts_.laws.multipliers.traction;
+    next.geometric_flux = parts_.laws.multipliers.flux;
+    next.geometric_friction = convected_friction(parts_.laws.multipliers, next.loads.friction);
     return;
   }
   // If multipliers are unknowns, the predicted loads are the loads themselves.
-  next.set_geometric(predicted && method_.predicts() ? before : next.loads);
-  if (predicted || !method_.predicts()) return;
-  drop_new_fluxes(laws_.multipliers, next.geometric_flux);
+  next.set_geometric(predicted && parts_.method->predicts() ? before : next.loads);
+  if (predicted || !parts_.method->predicts()) return;
+  drop_new_fluxes(parts_.laws.multipliers, next.geometric_flux);
   // Nodes that close around overlapping points may be in tension.
-  const VectorXd traction = admissible(laws_.normal(), next.geometric_traction);
-  next.geometric_traction = laws_.within_accepted(traction, space_.facing().surface_size());
+  const VectorXd traction = admissible(parts_.laws.normal(), next.geometric_traction);
+  next.geometric_traction = parts_.laws.within_accepted(traction, parts_.space.facing().surface_size());
 }
 
 void MovingGeometry::hold_loads(const FacingFields& fields) {
   find_points(positions(fields));
-  active_set_.start_counting();
-  const auto decide = [&](const NodalLoads& now) { return active_set_.initial_friction(now); };
+  parts_.active_set.start_counting();
+  const auto decide = [&](const NodalLoads& now) { return parts_.active_set.initial_friction(now); };
   geometric_.reset();
   last_ = {};
   point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
@@ -186,10 +187,10 @@ void MovingGeometry::hold_loads(const FacingFields& fields) {
 }
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
-  NodeFlags open(space_.nodes(), false);
-  active_set_.start_counting();
+  NodeFlags open(parts_.space.nodes(), false);
+  parts_.active_set.start_counting();
   LinearisationPoint point = evaluated_at(
-      fields, space_.averages(space_.gaps(), fields, {open, open, {}}),
+      fields, parts_.space.averages(parts_.space.gaps(), fields, {open, open, {}}),
       [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
   point.set_geometric(point.loads);
   hold(std::move(point), fields);
@@ -198,12 +199,12 @@ void MovingGeometry::start_inactive(const FacingFields& fields) {
 void MovingGeometry::linearise_at(const FacingFields& fields) {
   if (!point_) return;
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    return active_set_.moved_friction(point_->loads, now);
+    return parts_.active_set.moved_friction(point_->loads, now);
   };
-  NodalGaps gaps = space_.gaps();
-  ContactStatus status = active_set_.moved(point_->loads, gaps);
-  LinearisationPoint next = evaluated_at(fields, space_.averages(std::move(gaps), fields, std::move(status)), decide,
-                                         &point_->loads);
+  NodalGaps gaps = parts_.space.gaps();
+  ContactStatus status = parts_.active_set.moved(point_->loads, gaps);
+  LinearisationPoint next = evaluated_at(fields, parts_.space.averages(std::move(gaps), fields, std::move(status)),
+                                         decide, &point_->loads);
   next.set_geometric(point_->loads);
   hold(std::move(next), fields);
 }
@@ -216,8 +217,8 @@ void MovingGeometry::let_go() {
 
 void MovingGeometry::end_iterations() {
   let_go();
-  space_.boundary_weights().settle();
-  space_.change_facing().end_iterations();
+  parts_.space.boundary_weights().settle();
+  parts_.space.change_facing().end_iterations();
 }
 
 void MovingGeometry::forget_past() {
@@ -226,47 +227,47 @@ void MovingGeometry::forget_past() {
 }
 
 bool MovingGeometry::reconsiders_edge(const FacingFields& fields) {
-  return laws_.effects().scalar_fields() > 0 && active_set_.reconsiders_edge(loads(fields));
+  return parts_.laws.effects().scalar_fields() > 0 && parts_.active_set.reconsiders_edge(loads(fields));
 }
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
-  const NodalLoads predicted = method_.predicted_loads(*point_, fields);
-  NodalGaps gaps = space_.gaps();
+  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
+  NodalGaps gaps = parts_.space.gaps();
   if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
-  if (!method_.predicts()) return true;  // the loads are unknowns and need no test; gaps() tests the gaps
-  if (active_set_.updated_friction(predicted).differs_from(predicted)) return false;
-  NodalLoads now = space_.averages(std::move(gaps), fields, point_->loads.status());
-  method_.load(now);
-  return !differ(space_, laws_, predicted, now, active_set_.options().solution_load, fields);
+  if (!parts_.method->predicts()) return true;  // the loads are unknowns and need no test; gaps() tests the gaps
+  if (parts_.active_set.updated_friction(predicted).differs_from(predicted)) return false;
+  NodalLoads now = parts_.space.averages(std::move(gaps), fields, point_->loads.status());
+  parts_.method->load(now);
+  return !differ(parts_.space, parts_.laws, predicted, now, parts_.active_set.options().solution_load, fields);
 }
 
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
-  if (point_) return method_.predicted_loads(*point_, fields);
+  if (point_) return parts_.method->predicted_loads(*point_, fields);
   NodalLoads loads = initial_averages(fields);
-  method_.load(loads);
-  loads.traction = admissible(laws_.normal(), loads.traction);
+  parts_.method->load(loads);
+  loads.traction = admissible(parts_.laws.normal(), loads.traction);
   return loads;
 }
 
 NodalLoads MovingGeometry::initial_averages(const FacingFields& fields) const {
-  NodalGaps gaps = space_.gaps();
-  const NodeFlags status = active_set_.initial(gaps);
-  return space_.averages(std::move(gaps), fields, {status, status, {}});
+  NodalGaps gaps = parts_.space.gaps();
+  const NodeFlags status = parts_.active_set.initial(gaps);
+  return parts_.space.averages(std::move(gaps), fields, {status, status, {}});
 }
 
 NodeFlags MovingGeometry::flux_coupled() const {
-  return point_ ? point_->loads.flux_coupled : active_set_.initial(space_.gaps());
+  return point_ ? point_->loads.flux_coupled : parts_.active_set.initial(parts_.space.gaps());
 }
 
 VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
-  return point_ ? point_->equation_weights : method_.equation_weights(loads, x1);
+  return point_ ? point_->equation_weights : parts_.method->equation_weights(loads, x1);
 }
 
 void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVector& add) const {
   const NodalLoads now = loads(fields);
-  nodal_residual(space_, now, fields, dt, add);
-  method_.equations(now, equation_weights(now, fields.primary.position), dt, add);
+  nodal_residual(parts_.space, now, fields, dt, add);
+  parts_.method->equations(now, equation_weights(now, fields.primary.position), dt, add);
 }
 
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
@@ -274,11 +275,11 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
   IndexedVector<NodeLinearisation> present;
   const bool is_linearised = point_ && point_->is_linearised();
   if (!is_linearised) {
-    present = linearise(space_, now, fields);
-    vary_trials(laws_, now, present);
+    present = linearise(parts_.space, now, fields);
+    vary_trials(parts_.laws, now, present);
   }
   const VectorXd weights = equation_weights(now, fields.primary.position);
-  node_tangents(method_, space_, is_linearised ? point_->nodes : present, now, weights, dt, add);
+  node_tangents(*parts_.method, parts_.space, is_linearised ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {
     if (add.rows) {
       for (const NodeRows& flux : held->fluxes) add.rows(flux, dt);
@@ -288,19 +289,21 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
       add_tractions(held->pairs, add.block);
     }
   } else {
-    geometric_tangents(space_, is_linearised ? geometric_loads(*point_) : now, fields, dt, add.block);
+    geometric_tangents(parts_.space, is_linearised ? geometric_loads(*point_) : now, fields, dt, add.block);
   }
 }
 
 void MovingGeometry::for_each_coupling(const Couplings& use) const {
-  const auto use_around = [&](Index node, const Patch& patch) { use_node(method_, space_, node, patch, use); };
-  const NodeFlags in_contact = point_ ? point_->loads.in_contact : active_set_.initial(space_.gaps());
+  const auto use_around = [&](Index node, const Patch& patch) {
+    use_node(*parts_.method, parts_.space, node, patch, use);
+  };
+  const NodeFlags in_contact = point_ ? point_->loads.in_contact : parts_.active_set.initial(parts_.space.gaps());
   if (geometric_ && point_) {  // the pairs are those with which the nodes were linearised
     for (Index node = 0; node < point_->nodes.count(); ++node) {
       if (!point_->nodes[node].empty()) use_around(node, point_->nodes[node].patch);
     }
   } else {
-    for_each_node_patch(space_, in_contact, use_around);
+    for_each_node_patch(parts_.space, in_contact, use_around);
   }
   // The geometric part also couples the nodes of pairs that no nodal load couples.
   if (geometric_ && use.rows) {
@@ -311,17 +314,17 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
 }
 
 void MovingGeometry::use_pairs(const NodeFlags& in_contact, const Couplings& use) const {
-  const bool all_pairs = space_.has_unknown_multipliers() || takes_loads(method_, use);
-  for (const FacetPair& pair : space_.facing().pairs()) {
-    if (!space_.facing().has_node_among(pair, in_contact)) continue;
-    if (all_pairs || !space_.is_averaged_over(pair, in_contact))
-      use_effects(space_, patch_of(space_.facing(), pair), use.patch);
+  const bool all_pairs = parts_.space.has_unknown_multipliers() || takes_loads(*parts_.method, use);
+  for (const FacetPair& pair : parts_.space.facing().pairs()) {
+    if (!parts_.space.facing().has_node_among(pair, in_contact)) continue;
+    if (all_pairs || !parts_.space.is_averaged_over(pair, in_contact))
+      use_effects(parts_.space, patch_of(parts_.space.facing(), pair), use.patch);
   }
 }
 
 std::size_t MovingGeometry::memory() const {
   const std::size_t geometric = geometric_ ? geometric_->memory() : 0;
-  const std::size_t held = point_ ? point_->memory() + geometric + active_set_.memory() : 0;
+  const std::size_t held = point_ ? point_->memory() + geometric + parts_.active_set.memory() : 0;
   return held + last_.memory();
 }
 

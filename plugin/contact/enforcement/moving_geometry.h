@@ -12,9 +12,8 @@ namespace mixture_contact {
 /// The evaluation of a pass whose surfaces move.
 class MovingGeometry : public ContactGeometry {
  public:
-  /// Keeps references to all arguments.
-  MovingGeometry(MortarSpace& space, const NodalLaws& laws, ActiveSet& active_set, const EnforcementMethod& method)
-      : space_(space), laws_(laws), active_set_(active_set), method_(method), held_(space, laws, active_set, method) {}
+  /// Keeps a reference to the parts.
+  explicit MovingGeometry(PassParts& parts) : parts_(parts), held_(parts) {}
 
   /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and linearises their
   /// gaps and jumps. Both are kept until the next call: in the iteration and its line search, loads are linear in the
@@ -78,10 +77,7 @@ class MovingGeometry : public ContactGeometry {
   NodeFlags updated_status(const NodalLoads& now, const NodalGaps& gaps) const;
   VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const;
 
-  MortarSpace& space_;
-  const NodalLaws& laws_;
-  ActiveSet& active_set_;
-  const EnforcementMethod& method_;
+  PassParts& parts_;
   /// Linearisation point of the present iteration, or of held loads; empty if there is none.
   std::optional<LinearisationPoint> point_;
   std::optional<GeometricPart> geometric_;  ///< geometric part at `point_`; empty after the surfaces have moved

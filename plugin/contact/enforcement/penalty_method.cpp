@@ -37,7 +37,7 @@ MatrixXd work_of_both(const VectorXd& traction_work, const VectorXd& d_traction,
 }  // namespace
 
 NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const {
-  NodalLoads loads = point.predicted_averages(fields);
+  NodalLoads loads = point.predicted_averages(space().slips(), fields);
   load(loads);
   return loads;
 }

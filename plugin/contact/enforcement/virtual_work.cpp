@@ -86,7 +86,11 @@ void set_tractions(const MortarSpace& space, const VaryingPair& varying, Tractio
   }
   const Index size = traction.block.rows.displacement_layout().size();
   values.setZero(size, size);
-  for (const auto& [point, vary] : varying.points) add_traction_tangent(point.kinematics, vary, point.loads, values);
+  for (const auto& [point, vary] : varying.points) {
+    PointForce force = normal_force(point.kinematics, vary, point.loads);
+    space.slips().add_force(point.kinematics, vary, point.loads, force);
+    add_traction_tangent(point.kinematics, vary, force, values);
+  }
 }
 
 /// Sets the part of the k-th flux of a geometric tangent.

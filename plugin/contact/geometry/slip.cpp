@@ -1,8 +1,5 @@
 #include "geometry/slip.h"
 
-#include "base/bytes.h"
-#include "base/parallel.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -68,25 +65,6 @@ Convection convection(const Facet& facet, Index corner, const FacetCoordinates& 
   const Eigen::Matrix2d metric = t.transpose() * t;
   if (!(metric.determinant() > 0)) return {FacetCoordinates::Zero(3, past.cols()), area};
   return {(t * metric.inverse()).lazyProduct(gradient.transpose()), area};
-}
-
-void SlipReference::measure_from(const FacingPositions& past) {
-  if (!effects_.may_rub()) return;
-  is_set_ = true;
-  past_ = {{past.primary, past.secondary}};
-  const IndexedVector<Facet>& facets = primary_.facets;
-  convections_ = IndexedVector<IndexedVector<Convection>>(facets.count());
-  in_parallel(facets.count(), [&](Index index) {
-    const FacetCoordinates x = facet_coordinates(facets[index], past.primary);
-    for (Index corner = 0; corner < x.cols(); ++corner)
-      convections_[index].push_back(convection(facets[index], corner, x));
-  });
-}
-
-std::size_t SlipReference::memory() const {
-  std::size_t sum = bytes(convections_) + bytes(past_[Side::primary]) + bytes(past_[Side::secondary]);
-  for (const IndexedVector<Convection>& facet : convections_) sum += bytes(facet);
-  return sum;
 }
 
 }  // namespace mixture_contact

@@ -2,9 +2,7 @@
 /// secondary point that it faces now.
 #pragma once
 
-#include "base/settings.h"
 #include "geometry/kinematics.h"
-#include "geometry/surface.h"
 
 namespace mixture_contact {
 
@@ -50,46 +48,5 @@ struct Convection {
 /// The deformation gradient at a corner of a facet. `past`: nodal positions at the start of the step [mm]. Zero if the
 /// facet has no area at the corner.
 Convection convection(const Facet& facet, Index corner, const FacetCoordinates& past);
-
-/// The start of the step for slips. It stays empty without friction.
-class SlipReference {
- public:
-  /// Keeps references to all arguments.
-  SlipReference(const SurfaceMesh& primary, const Effects& effects, const FrictionRule& rule)
-      : primary_(primary), effects_(effects), rule_(rule) {}
-
-  /// Sets the positions relative to which slips are measured, those of the last accepted state.
-  void measure_from(const FacingPositions& past);
-  /// Sets the positions unless they have been set, or if forget() was called.
-  void begin_at(const FacingPositions& x) {
-    if (!is_set_) measure_from(x);
-  }
-  /// Lets slips begin at the positions of the next begin_at().
-  void forget() { is_set_ = false; }
-  /// Sets stored positions; if they are empty, as forget().
-  void restore(const FacingPositions& past) {
-    forget();
-    if (past.primary.cols() > 0) measure_from(past);
-  }
-  /// The positions of the primary and of the secondary surface, for restore(); empty before begin_at().
-  PerSide<Matrix3Xd> state() const { return is_set_ ? past_ : PerSide<Matrix3Xd>(); }
-
-  /// Positions of both surfaces at the start of the step.
-  FacingPositions past() const { return seen_from(Side::primary, past_); }
-  /// Convections of the nodes of a primary facet, relative to the positions at the start of the step.
-  const IndexedVector<Convection>& convections(int primary_facet) const { return convections_[primary_facet]; }
-  /// Ambient pressure p* in the friction law [MPa].
-  double ambient_pressure() const { return rule_.ambient_pressure; }
-  /// Memory of positions and convections [bytes].
-  std::size_t memory() const;
-
- private:
-  const SurfaceMesh& primary_;
-  const Effects& effects_;
-  const FrictionRule& rule_;
-  bool is_set_ = false;
-  PerSide<Matrix3Xd> past_;                               ///< primary and secondary positions
-  IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node
-};
 
 }  // namespace mixture_contact

@@ -33,8 +33,7 @@ void check(const ContactState& state, const PerSide<SurfaceMesh>& mesh, const Ef
   }
   for (const Side side : both_sides) {
     const Index nodes = state.slips_from[side].cols();
-    const bool has_slips = state.multipliers.front().friction.cols() > 0;
-    require(nodes == 0 || (has_slips && nodes == mesh[side].nodes), "start positions of slips");
+    require(nodes == 0 || nodes == mesh[side].nodes, "start positions of slips");
   }
   require(state.carriers.size() == passes, "load carriers of " + std::to_string(state.carriers.size()) + " passes");
   for (std::size_t pass = 0; pass < passes; ++pass) {

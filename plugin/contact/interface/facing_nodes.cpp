@@ -135,6 +135,11 @@ void hold_facing(SidedPass& pass, const NodeFlags& facing) {
   pass.faced = std::move(next);
 }
 
+NodeFlags with_joined(NodeFlags nodes, const SurfaceMesh& mesh) {
+  for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] || mesh.is_joined(node);
+  return nodes;
+}
+
 bool reconsiders_facing(SidedPass& pass, const NodeFlags& facing) {
   if (!pass.faced || facing == *pass.faced || std::exchange(pass.has_reconsidered, true)) return false;
   pass.faced_changes.assign(facing.size(), 0);

@@ -62,6 +62,9 @@ NodeFlags next_facing(const SidedPass& pass, NodeFlags facing);
 /// Sets the nodes that face contact in the iteration that has begun, and counts the changes.
 void hold_facing(SidedPass& pass, const NodeFlags& facing);
 
+/// The given nodes together with the joined nodes of a surface.
+NodeFlags with_joined(NodeFlags nodes, const SurfaceMesh& mesh);
+
 /// True if nodes whose status was kept after too many changes should have another status at a solution, according to
 /// `facing`. It then resets all counts, so that these nodes are tried once more; at most once after the start of
 /// iterations.

@@ -18,11 +18,17 @@ void keep_worst(FieldGap& worst, const FieldGap& gap) {
   worst.largest = larger(worst.largest, gap.largest);
 }
 
-SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& effects, const Settings& settings) {
-  SidedPass pass;
-  pass.side = side;
-  pass.integral = std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings);
-  return pass;
+void keep_worst(IndexedVector<FieldGap>& worst, const IndexedVector<FieldGap>& gaps) {
+  for (Index k = 0; k < worst.count(); ++k) keep_worst(worst[k], gaps[k]);
+}
+
+Memory memory_of(const std::vector<SidedPass>& passes) {
+  Memory now;
+  for (const SidedPass& pass : passes) {
+    now.points += indexing::entries(point_count(pass.integral->space().facing()));
+    now.bytes += pass.integral->memory();
+  }
+  return now;
 }
 
 /// The largest distance by which two surfaces may have moved relative to each other [length].
@@ -55,42 +61,11 @@ void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reac
   pass.integral->project(seen_from(pass.side, position), reach);
 }
 
-/// The nodes of the other surface that face contact in the present step.
-NodeFlags facing_in_step(const SidedPass& pass, const PerSide<SurfaceMesh>& mesh, const PerSide<Matrix3Xd>& position,
-                         const NodeFlags& in_contact, const Settings& settings) {
-  return facing_contact_in_step(pass, facing_nodes(pass, mesh, position, in_contact, settings));
-}
-
-bool has_reduced_penalty(const Settings& settings) {
-  return settings.enforcement == Enforcement::penalty && settings.reduced_traction.divisor > 1;
-}
-
-/// Sets the multipliers such that the law of each node passes through the accepted load and gap. Without multipliers, a
-/// reduced penalty would require an overlap that is larger by the divisor. The fraction `kept` makes the multipliers
-/// decrease from step to step.
-void keep_loads(ContactPass& pass, double kept) {
-  NodalLaws& laws = pass.laws();
-  const NodalGaps& gaps = pass.space().gaps();
-  for (Index node = 0; node < laws.nodes(); ++node) {
-    const double traction = laws.multipliers.accepted_traction[node];
-    const bool bears = traction < 0 && gaps.faces(node);
-    laws.multipliers.traction[node] = bears ? kept * (traction - laws.traction_penalty(node) * gaps.gap[node]) : 0;
-  }
-}
-
-Memory memory_of(const std::vector<SidedPass>& passes) {
-  Memory now;
-  for (const SidedPass& pass : passes) {
-    now.points += indexing::entries(point_count(pass.integral->space().facing()));
-    now.bytes += pass.integral->memory();
-  }
-  return now;
-}
-
-/// The given nodes together with the joined nodes of a surface.
-NodeFlags with_joined(NodeFlags nodes, const SurfaceMesh& mesh) {
-  for (Index node = 0; node < nodes.count(); ++node) nodes[node] = nodes[node] || mesh.is_joined(node);
-  return nodes;
+SidedPass make_pass(Side side, const PerSide<SurfaceMesh>& mesh, const Effects& effects, const Settings& settings) {
+  SidedPass pass;
+  pass.side = side;
+  pass.integral = std::make_unique<ContactPass>(mesh[side], mesh[other(side)], effects, settings);
+  return pass;
 }
 
 }  // namespace
@@ -133,25 +108,17 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
 
 void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
   const TaskClock timed = measurements_.clock(Task::augmentation);
+  bool changes_averages = false;
   for (SidedPass& pass : passes_) {
     if (pass.faced) {
       const NodeFlags& in_contact = pass.integral->flux_coupled();
       pass.faced_before = facing_contact(pass, facing_nodes(pass, mesh_, position_, in_contact, settings_));
     }
-    pass.integral->accept_step(seen_from(pass.side, fields));
+    changes_averages = pass.integral->accept_step(seen_from(pass.side, fields)) || changes_averages;
     pass.integral->laws().close_overlapped = false;
   }
   accepted_ = start_of_step(settings_, mesh_, {{fields[Side::primary].position, fields[Side::secondary].position}});
-  if (!are_linear(pass(0).laws())) end_iterations();  // slips have another reference
-}
-
-void ContactInterface::forget_steps() {
-  accepted_ = {};
-  for (SidedPass& pass : passes_) {
-    pass.integral->laws().forget_steps();
-    pass.integral->slips().forget();
-    pass.faced_before = {};
-  }
+  if (changes_averages) end_iterations();
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -176,14 +143,6 @@ bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
 
 void ContactInterface::linearise_at(const PerSide<SurfaceFields>& fields) const {
   for_each_moving(*this, [&](Side side, MovingGeometry& moving) { moving.linearise_at(seen_from(side, fields)); });
-}
-
-void ContactInterface::end_iterations() {
-  for (SidedPass& pass : passes_) {
-    pass.faced.reset();
-    pass.integral->geometry().end_iterations();
-    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
-  }
 }
 
 bool ContactInterface::is_solution(const PerSide<SurfaceFields>& fields) const {
@@ -243,14 +202,15 @@ void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPl
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields())};
+  GapReport worst{
+      {}, IndexedVector<FieldGap>(effects_.scalar_fields()), IndexedVector<FieldGap>(tangential_conditions(effects_))};
   for (const SidedPass& pass : passes_) {
     // Penalties of a second pass next to unknown multipliers leave gaps that no augmentation closes.
     if (pass.integral->space().has_unknown_multipliers() != this->pass(0).space().has_unknown_multipliers()) continue;
     const GapReport report = measure_gaps(*pass.integral, seen_from(pass.side, fields));
     keep_worst(worst.traction, report.traction);
+    keep_worst(worst.flux, report.flux);
     keep_worst(worst.slip, report.slip);
-    for (Index k = 0; k < worst.flux.count(); ++k) keep_worst(worst.flux[k], report.flux[k]);
   }
   return worst;
 }
@@ -264,17 +224,6 @@ bool ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
     any_grown = grow_penalties(pass.integral->laws(), report, settings_.tolerances) || any_grown;
   }
   return any_grown;
-}
-
-PerSide<NodeFlags> ContactInterface::hold_nodes_in_contact() {
-  {
-    const TaskClock timed = measurements_.clock(Task::stiffness);
-    for (SidedPass& pass : passes_)
-      hold_facing(pass, facing_in_step(pass, mesh_, position_, pass.integral->flux_coupled(), settings_));
-  }
-  PerSide<NodeFlags> nodes = nodes_in_contact();
-  for (const Side side : both_sides) nodes[side] = with_joined(std::move(nodes[side]), mesh_[side]);
-  return nodes;
 }
 
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
@@ -297,135 +246,8 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
 
 void ContactInterface::restrict_second_pass() {
   if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
-  passes_.back().integral->slips().restore(seen_from(Side::secondary, pass(0).space().slips().state()));
+  passes_.back().integral->slips().restore(seen_from(Side::secondary, pass(0).slips().state()));
   passes_.back().integral->restrict_active_set(check_.nodes);
-}
-
-ContactInterface::State ContactInterface::state() const {
-  State state;
-  for (int node = 0; node < check_.nodes.count(); ++node) {
-    if (check_.nodes[node]) state.check_nodes.push_back(node);
-  }
-  for (const SidedPass& pass : passes_) {
-    state.multipliers.push_back(pass.integral->laws().multipliers);
-    state.carriers.push_back(pass.integral->space().boundary_weights().last_decisions());
-    state.faced.push_back(pass.faced_before);
-  }
-  state.slips_from = pass(0).space().slips().state();
-  return state;
-}
-
-void ContactInterface::restore(State state) {
-  check(state, mesh_, effects_, settings_.two_pass);
-  accepted_ = {};
-  pass(0).slips().restore(seen_from(Side::primary, state.slips_from));
-  NodeFlags check_nodes(check_.nodes.count(), false);
-  for (const int node : state.check_nodes) check_nodes[node] = true;
-  if (check_nodes != check_.nodes) {
-    check_.nodes = std::move(check_nodes);
-    passes_.erase(passes_.begin() + 1, passes_.end());
-    if (!state.check_nodes.empty()) restrict_second_pass();
-    for (Matrix3Xd& position : position_) position.resize(3, 0);
-  }
-  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
-    passes_[pass].integral->laws().multipliers = std::move(state.multipliers[pass]);
-    passes_[pass].integral->slips().restore(seen_from(passes_[pass].side, state.slips_from));
-  }
-  end_iterations();
-  forget_past(*this);
-  for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
-    passes_[pass].integral->restore_carriers(std::move(state.carriers[pass]));
-    passes_[pass].faced_before = std::move(state.faced[pass]);
-  }
-}
-
-PerSide<NodeFlags> ContactInterface::nodes_in_contact() const {
-  const TaskClock timed = measurements_.clock(Task::stiffness);
-  PerSide<NodeFlags> in_contact;
-  for (const Side side : both_sides) in_contact[side] = NodeFlags(mesh_[side].nodes, false);
-  const auto add = [&](Side side, const NodeFlags& found) {
-    for (Index node = 0; node < found.count(); ++node) {
-      if (found[node]) in_contact[side][node] = true;
-    }
-  };
-  for (const SidedPass& pass : passes_) {
-    const NodeFlags own = pass.integral->flux_coupled();
-    add(pass.side, own);
-    add(other(pass.side), pass.faced ? *pass.faced : facing_in_step(pass, mesh_, position_, own, settings_));
-  }
-  return in_contact;
-}
-
-void ContactInterface::update_properties(PerSide<VectorXd> stiffness, PerSide<MatrixXd> conductance) {
-  for (const Side side : both_sides) {
-    mesh_[side].stiffness = std::move(stiffness[side]);
-    mesh_[side].conductance = std::move(conductance[side]);
-  }
-  for (const SidedPass& pass : passes_) pass.integral->laws().update_penalties();
-}
-
-void ContactInterface::update_laws(const Settings& settings) {
-  const bool same = same_penalties(settings_, settings);
-  const bool was_reduced = has_reduced_penalty(settings_);
-  settings_.tolerances = settings.tolerances;
-  settings_.friction = settings.friction;
-  settings_.gap.offset = settings.gap.offset;
-  for (const SidedPass& pass : passes_) pass.integral->measure_gaps_from(settings.gap.offset);
-  settings_.traction = settings.traction;
-  settings_.solvent = settings.solvent;
-  settings_.solute = settings.solute;
-  settings_.membrane = settings.membrane;
-  settings_.reduced_traction = settings.reduced_traction;
-  check_.settings = settings_of_check(settings_);
-  for (const SidedPass& pass : passes_) {
-    NodalLaws& laws = pass.integral->laws();
-    if (!same) laws.update_penalties();
-    if (was_reduced) laws.multipliers.traction.setZero();  // a penalty at its full value has no multipliers
-    if (has_reduced_penalty(settings_)) keep_loads(*pass.integral, settings_.reduced_traction.kept);
-  }
-}
-
-bool faces_as_held(const ContactInterface& contact) {
-  return std::all_of(contact.passes_.begin(), contact.passes_.end(), [&](const SidedPass& pass) {
-    if (!pass.faced) return true;
-    NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
-                                      contact.settings_);
-    return next_facing(pass, std::move(facing)) == *pass.faced;
-  });
-}
-
-bool reconsiders_edge(ContactInterface& contact, const PerSide<SurfaceFields>& fields) {
-  const TaskClock timed = contact.measurements().clock(Task::augmentation);
-  bool any = false;
-  for_each_moving(contact, [&](Side side, MovingGeometry& moving) {
-    any = moving.reconsiders_edge(seen_from(side, fields)) || any;
-  });
-  for (SidedPass& pass : contact.passes_) {
-    if (!pass.faced) continue;
-    const NodeFlags facing = facing_in_step(pass, contact.mesh_, contact.position_, pass.integral->flux_coupled(),
-                                            contact.settings_);
-    any = reconsiders_facing(pass, facing) || any;
-  }
-  return any;
-}
-
-void join(ContactInterface& contact, PerSide<NodeFlags> nodes) {
-  for (const Side side : both_sides) contact.mesh_[side].joined = std::move(nodes[side]);
-  for (SidedPass& pass : contact.passes_) {
-    pass.faced.reset();
-    pass.integral->restrict_active_set(NodeFlags(contact.mesh_[pass.side].nodes, true));
-  }
-  if (any(contact.check_.nodes)) contact.restrict_second_pass();
-  contact.end_iterations();
-  for (Matrix3Xd& position : contact.position_) position.resize(3, 0);
-}
-
-void set_immovable(ContactInterface& contact, PerSide<NodeFlags> nodes) {
-  const bool is_new = std::any_of(both_sides.begin(), both_sides.end(),
-                                  [&](Side side) { return nodes[side] != contact.mesh_[side].immovable; });
-  if (!is_new) return;
-  for (const Side side : both_sides) contact.mesh_[side].immovable = std::move(nodes[side]);
-  for (const SidedPass& pass : contact.passes_) pass.integral->laws().update_penalties();
 }
 
 void hold_loads(const ContactInterface& contact, const PerSide<SurfaceFields>& fields) {

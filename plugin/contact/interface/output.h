@@ -36,9 +36,16 @@ struct FrictionOutput {
   VectorXd status;  ///< status of each node, a value of Sliding
 };
 
+/// The value of a node; 0 if the contact has no such values.
+inline double value_at(const VectorXd& values, Index node) { return node < values.size() ? values[node] : 0.0; }
+/// The vector of a node; zero if the contact has no such vectors.
+inline Vector3d vector_at(const Matrix3Xd& vectors, Index node) {
+  return node < vectors.cols() ? Vector3d(vectors.col(node)) : Vector3d::Zero();
+}
+
 /// The friction status of a node; `open` without friction.
 inline Sliding status_of(const FrictionOutput& friction, Index node) {
-  return node < friction.status.size() ? static_cast<Sliding>(static_cast<int>(friction.status[node])) : Sliding::open;
+  return static_cast<Sliding>(static_cast<int>(value_at(friction.status, node)));
 }
 
 /// The state of the bonds at the nodes of a surface; empty if they cannot break.
@@ -66,7 +73,7 @@ struct NodalOutput {
 
  private:
   double over_pressure(const VectorXd& values, Index node) const {
-    return values.size() > node && pressure[node] > 0 ? values[node] / pressure[node] : 0.0;
+    return pressure[node] > 0 ? value_at(values, node) / pressure[node] : 0.0;
   }
 };
 

@@ -1,7 +1,7 @@
 #include "interface/output_sums.h"
 
 #include "base/in_order.h"
-#include "mortar/loaded_points.h"
+#include "interface/friction_rows.h"
 
 namespace mixture_contact {
 namespace {
@@ -10,16 +10,6 @@ namespace {
 FacetVector shares_of_area(const PointContact& point, const FacetVector& shape) {
   const FacetVector size = shape.cwiseAbs();
   return point.loads.weight * point.kinematics.area / size.sum() * size;
-}
-
-/// Sets the friction values of a point in its rows.
-void set_sliding(const PointContact& point, const Facet& facet, const SlidingNodes& nodes, const OutputRows& rows,
-                 VectorXd& values) {
-  values[OutputRows::bound] = point.psi.dot(facet_values(facet, nodes.bound));
-  values[OutputRows::fluid] = point.psi.dot(facet_values(facet, nodes.fluid));
-  values[OutputRows::slips] = point.psi.dot(facet_values(facet, nodes.slips));
-  values.segment<3>(rows.traction()) = point.loads.friction;
-  values.segment<3>(rows.slip()) = facet_coordinates(facet, nodes.slip) * point.psi;
 }
 
 /// Sets the values of a point on the primary surface.
@@ -36,14 +26,14 @@ void set_values(const PointContact& point, const OutputRows& rows, VectorXd& val
 }
 
 /// Sets the sums over the points of a pair.
-void set_by_points(const LoadedState& state, const FacetPair& pair, OutputSums& sums, VectorXd& values) {
-  const FacingPairs& facing = state.space.facing();
+void set_by_points(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads, const OutputRows& rows,
+                   const FacingFields& fields, OutputSums& sums, VectorXd& values) {
+  const FacingPairs& facing = space.facing();
   const Facet& facet = facing.primary_facet(pair);
-  const OutputRows rows = state.rows();
   sums.set_zero(rows.count(), facet.count(), facing.secondary_facet(pair).count());
-  for_each_loaded_point(state.space, pair, state.loads, state.fields, 1.0, [&](const PointContact& point) {
+  for_each_loaded_point(space, pair, loads, fields, 1.0, [&](const PointContact& point) {
     set_values(point, rows, values);
-    if (!state.sliding.empty()) set_sliding(point, facet, state.sliding, rows, values);
+    rows.set_sliding(point, facet, values);
     sums.force += point.loads.weight * point.loads.traction * point.kinematics.area_vector;
     sums.integrated += values.lazyProduct(shares_of_area(point, point.kinematics.primary_shape).transpose());
     sums.facing += values.lazyProduct(shares_of_area(point, point.kinematics.secondary_shape).transpose());
@@ -73,26 +63,25 @@ void set_averages(const FlatPair& flat, const IndexedVector<int>& fields, const 
 
 /// Sets the sums of a flat pair from its moments. `loaded`: the pair with the redistributed functions psi_c of the
 /// loads.
-void set_by_moments(const LoadedState& state, const FacetPair& pair, const FlatPair& loaded, OutputSums& sums) {
-  const FacingPairs& facing = state.space.facing();
+void set_by_moments(const FacingPairs& facing, const FacetPair& pair, const FlatPair& loaded, const NodalLoads& loads,
+                    const OutputRows& rows, const FacingFields& fields, OutputSums& sums) {
   const Facet& facet = facing.primary_facet(pair);
-  const OutputRows rows = state.rows();
-  const IndexedVector<int> fields = facing.exchanged_fields(pair);
-  PairFields values(facet.count() + facing.secondary_facet(pair).count(), fields.count());
-  for (Index k = 0; k < fields.count(); ++k) values.col(k) = facing.values(pair, fields[k], state.fields);
+  const IndexedVector<int> exchanged = facing.exchanged_fields(pair);
+  PairFields values(facet.count() + facing.secondary_facet(pair).count(), exchanged.count());
+  for (Index k = 0; k < exchanged.count(); ++k) values.col(k) = facing.values(pair, exchanged[k], fields);
   const FlatPair& flat = *facing.flat(pair);
-  set_averages(flat, fields, values, rows, sums.integrated);
-  set_averages(by_secondary_nodes(flat, facing.points(pair), facet_coordinates(facet, state.fields.primary.position),
-                                  facet_coordinates(facing.secondary_facet(pair), state.fields.secondary.position)),
-               fields, values, rows, sums.facing);
-  const FacetLoads nodal = facet_loads(facet, state.loads, fields);
+  set_averages(flat, exchanged, values, rows, sums.integrated);
+  set_averages(by_secondary_nodes(flat, facing.points(pair), facet_coordinates(facet, fields.primary.position),
+                                  facet_coordinates(facing.secondary_facet(pair), fields.secondary.position)),
+               exchanged, values, rows, sums.facing);
+  const FacetLoads nodal = facet_loads(facet, loads, exchanged);
   const auto set_loads = [&](Index row, const Vector3d& load) {
     const FlatNodes by_nodes = flux_residual(loaded, load);
     sums.integrated.row(row) = by_nodes.head<3>().transpose();
     sums.facing.row(row) = -by_nodes.tail<3>().transpose();
   };
   set_loads(OutputRows::pressure, -nodal.traction);
-  for (Index k = 0; k < fields.count(); ++k) set_loads(rows.flux() + fields[k], nodal.flux[k]);
+  for (Index k = 0; k < exchanged.count(); ++k) set_loads(rows.flux() + exchanged[k], nodal.flux[k]);
   sums.force = loaded.weight().dot(Vector3d(nodal.traction)) * flat.area_vector;
 }
 
@@ -103,40 +92,26 @@ void add_nodes(const Facet& facet, const MatrixXd& of_facet, MatrixXd& sums) {
 
 }  // namespace
 
-SlidingNodes sliding_nodes(const NodalLaws& laws, const NodalLoads& loads) {
-  const NodalFriction& friction = loads.friction;
-  SlidingNodes nodes;
-  if (friction.empty()) return nodes;
-  const Index count = loads.gap.size();
-  nodes.slip = Matrix3Xd::Zero(3, count);
-  nodes.fluid = nodes.in_contact = nodes.slips = VectorXd::Zero(count);
-  nodes.bound = friction.bound;
-  for (Index node = 0; node < count; ++node) {
-    if (!loads.in_contact[node]) continue;
-    const Vector3d n = friction.normal(node);
-    const Vector3d carried = friction.convection[node] * friction.slip.col(node);
-    nodes.slip.col(node) = carried - n * n.dot(carried);
-    nodes.in_contact[node] = 1;
-    if (friction.pressure.size() > 0) nodes.fluid[node] = friction.pressure[node];
-    if (!loads.slips[node]) continue;
-    nodes.slips[node] = 1;
-    nodes.dissipation += loads.area[node] *
-                         dissipated(friction.trial.col(node), friction.bound[node], laws.friction_penalty(node));
-  }
-  return nodes;
+std::unique_ptr<OutputRows> output_rows(const NodalLaws& laws, const NodalLoads& loads) {
+  return by_friction<std::unique_ptr<OutputRows>>(
+      laws.effects().acting_friction(), [&] { return std::make_unique<OutputRows>(laws.effects().scalar_fields()); },
+      [&] { return std::make_unique<FrictionRows>(laws, loads); });
 }
 
-OutputSums sums_of(const LoadedState& state) {
-  const FacingPairs& facing = state.space.facing();
-  const auto carries_load = [&](const FacetPair& pair) { return facing.has_node_among(pair, state.loads.in_contact); };
+OutputSums sums_of(const MortarSpace& space, const NodalLoads& loads, const OutputRows& rows,
+                   const FacingFields& fields) {
+  const FacingPairs& facing = space.facing();
+  const auto carries_load = [&](const FacetPair& pair) { return facing.has_node_among(pair, loads.in_contact); };
   const auto sum_of_pair = [&](Index index, OutputSums& sums, VectorXd& values) {
     const FacetPair& pair = facing.pairs()[index];
     if (!carries_load(pair)) return;
-    const auto by_moments = [&](const FlatPair& flat) { set_by_moments(state, pair, flat, sums); };
-    state.space.integrate(pair, by_moments, [&] { set_by_points(state, pair, sums, values); });
+    const auto by_moments = [&](const FlatPair& flat) {
+      set_by_moments(facing, pair, flat, loads, rows, fields, sums);
+    };
+    space.integrate(pair, by_moments, [&] { set_by_points(space, pair, loads, rows, fields, sums, values); });
   };
   OutputSums all;
-  all.set_zero(state.rows().count(), facing.primary().nodes, facing.secondary().nodes);
+  all.set_zero(rows.count(), facing.primary().nodes, facing.secondary().nodes);
   const auto add_pair = [&](Index index, const OutputSums& sums) {
     const FacetPair& pair = facing.pairs()[index];
     if (!carries_load(pair)) return;

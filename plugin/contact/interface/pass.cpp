@@ -3,7 +3,6 @@
 #include "base/bytes.h"
 #include "enforcement/fixed_geometry.h"
 #include "enforcement/moving_geometry.h"
-#include "mortar/slips.h"
 
 namespace mixture_contact {
 namespace {
@@ -18,59 +17,55 @@ NodeFlags apart(const SurfaceMesh& mesh, NodeFlags nodes) {
 
 ContactPass::ContactPass(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                          const Settings& settings)
-    : effects_(effects),
-      space_(primary, secondary, effects, settings),
-      laws_(primary, secondary, effects, settings),
-      active_set_(laws_),
-      method_(enforcement_method(settings.enforcement, space_, laws_)),
-      geometry_(make_geometry()) {
-  if (primary.joined.count() > 0) active_set_.restrict_to(apart(primary, NodeFlags(primary.nodes, true)));
+    : parts_(primary, secondary, effects, settings), geometry_(make_geometry()) {
+  if (primary.joined.count() > 0) parts_.active_set.restrict_to(apart(primary, NodeFlags(primary.nodes, true)));
   if (!settings.gap.may_touch) restrict_active_set(NodeFlags(primary.nodes, false));
 }
 
 std::unique_ptr<ContactGeometry> ContactPass::make_geometry() {
-  if (effects_.traction) return std::make_unique<MovingGeometry>(space_, laws_, active_set_, *method_);
-  return std::make_unique<FixedGeometry>(space_, active_set_, *method_);
+  if (parts_.space.effects().traction) return std::make_unique<MovingGeometry>(parts_);
+  return std::make_unique<FixedGeometry>(parts_);
 }
 
 void ContactPass::project(const FacingPositions& x, const Reach& reach) {
-  space_.change_facing().search(x, reach);
+  parts_.space.change_facing().search(x, reach);
   geometry_->update(x);
 }
 
 void ContactPass::project_on_same_facets(const FacingPositions& x) {
-  space_.change_facing().project_on_same_facets(x);
+  parts_.space.change_facing().project_on_same_facets(x);
   geometry_->update(x);
 }
 
 void ContactPass::restrict_active_set(const NodeFlags& nodes) {
-  const NodeFlags free = apart(space_.facing().primary(), nodes);
-  active_set_.restrict_to(free);
-  space_.change_facing().restrict_to(free);
+  const NodeFlags free = apart(parts_.space.facing().primary(), nodes);
+  parts_.active_set.restrict_to(free);
+  parts_.space.change_facing().restrict_to(free);
 }
 
 void ContactPass::augment(const FacingFields& fields) {
-  laws_.augment(nodal_loads(fields));
+  parts_.laws.augment(nodal_loads(fields));
   geometry_->take_multipliers();
 }
 
-void ContactPass::accept_step(const FacingFields& fields) {
+bool ContactPass::accept_step(const FacingFields& fields) {
   NodalLoads loads = nodal_loads(fields);
-  space_.slips().measure_from(positions(fields));
-  set_convection(loads.friction, space_, loads.in_contact, fields.primary.position);
-  laws_.accept(loads);
+  const bool changes_averages = parts_.space.kept_slips().measure_from(positions(fields));
+  parts_.space.slips().convect(loads.friction, parts_.space, loads.in_contact, fields.primary.position);
+  parts_.laws.accept(loads);
+  return changes_averages;
 }
 
 void ContactPass::forget() {
   geometry_->end_iterations();
-  space_.change_facing().clear();
+  parts_.space.change_facing().clear();
   geometry_ = make_geometry();
 }
 
 std::size_t ContactPass::memory() const {
-  return space_.memory() + bytes(laws_.multipliers.traction) + bytes(laws_.multipliers.accepted_traction) +
-         bytes(laws_.multipliers.flux) + bytes(laws_.penalties().traction) + bytes(laws_.penalties().flux) +
-         geometry_->memory();
+  return parts_.space.memory() + bytes(parts_.laws.multipliers.traction) +
+         bytes(parts_.laws.multipliers.accepted_traction) + bytes(parts_.laws.multipliers.flux) +
+         bytes(parts_.laws.penalties().traction) + bytes(parts_.laws.penalties().flux) + geometry_->memory();
 }
 
 }  // namespace mixture_contact

@@ -1,7 +1,6 @@
 /// One pass of a contact: the integral (2.5) over one surface against the other.
 #pragma once
 
-#include "active_set/active_set.h"
 #include "enforcement/contact_geometry.h"
 #include "enforcement/unknown_multipliers.h"
 
@@ -36,17 +35,17 @@ class ContactPass {
   void augment(const FacingFields& fields);
 
   /// Sets the gap at which the surfaces touch [mm], from which gaps are measured.
-  void measure_gaps_from(double offset) { space_.measure_gaps_from(offset); }
+  void measure_gaps_from(double offset) { parts_.space.measure_gaps_from(offset); }
 
-  /// The start of the step, from which slips are measured.
-  SlipReference& slips() { return space_.slips(); }
+  /// The averages of slips with the start of the step.
+  SlipAverages& slips() const { return parts_.space.kept_slips(); }
 
   /// Accepts a state as the start of the next step: its loads, flux-coupled nodes, and positions as the reference of
-  /// slips.
-  void accept_step(const FacingFields& fields);
+  /// slips. Returns true if this changes averages, so that the iterations have to end.
+  bool accept_step(const FacingFields& fields);
 
   /// Sets earlier decisions on the nodes that bear load (see BoundaryWeights), for a restart.
-  void restore_carriers(LoadCarriers decisions) { space_.boundary_weights().restore(std::move(decisions)); }
+  void restore_carriers(LoadCarriers decisions) { parts_.space.boundary_weights().restore(std::move(decisions)); }
 
   /// Discards the configuration. To be called after a change of the effects, before the next project().
   void forget();
@@ -55,29 +54,25 @@ class ContactPass {
   NodalLoads nodal_loads(const FacingFields& fields) const { return geometry_->loads(fields); }
 
   /// True if the tangents of nodes can be passed on as load blocks.
-  bool has_load_blocks() const { return method_->has_load_blocks(); }
+  bool has_load_blocks() const { return parts_.method->has_load_blocks(); }
 
   /// Primary nodes that are in contact and flux-coupled.
   NodeFlags flux_coupled() const { return geometry_->flux_coupled(); }
 
-  const MortarSpace& space() const { return space_; }
+  const MortarSpace& space() const { return parts_.space; }
   /// The pairs of facets that face each other.
-  const IndexedVector<FacetPair>& pairs() const { return space_.facing().pairs(); }
-  const ActiveSet& active_set() const { return active_set_; }
-  NodalLaws& laws() { return laws_; }
-  const NodalLaws& laws() const { return laws_; }
-  const Penalties& penalty() const { return laws_.penalties(); }
+  const IndexedVector<FacetPair>& pairs() const { return parts_.space.facing().pairs(); }
+  const ActiveSet& active_set() const { return parts_.active_set; }
+  NodalLaws& laws() { return parts_.laws; }
+  const NodalLaws& laws() const { return parts_.laws; }
+  const Penalties& penalty() const { return parts_.laws.penalties(); }
   /// Memory kept between calls [bytes]: pairs with their points, multipliers, penalties, and data of iterations.
   std::size_t memory() const;
 
  private:
   std::unique_ptr<ContactGeometry> make_geometry();
 
-  const Effects& effects_;
-  MortarSpace space_;
-  NodalLaws laws_;
-  ActiveSet active_set_;
-  std::unique_ptr<EnforcementMethod> method_;
+  PassParts parts_;
   std::unique_ptr<ContactGeometry> geometry_;
 };
 

@@ -8,7 +8,6 @@
 namespace mixture_contact {
 
 /// The positions of a pair's nodes in a larger patch.
-using PairPlaces = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_pair_nodes, 1>;
 template <class Nodes>
 PairPlaces dof_map(const Nodes& primary, const Nodes& secondary, const Patch& patch) {
   PairPlaces map(std::distance(primary.begin(), primary.end()) + std::distance(secondary.begin(), secondary.end()));

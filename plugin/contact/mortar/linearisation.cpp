@@ -28,7 +28,7 @@ NodeLinearisation zero_linearisation(const MortarSpace& space, Index node, const
   NodeLinearisation linear;
   linear.patch = space.node_patch(node, pairs);
   const Patch& patch = linear.patch;
-  set_zero(linear.friction, space, node, patch, pairs);
+  space.slips().set_zero(linear.friction, space, node, patch, pairs);
   if (patch.displacements) linear.gap_variation.setZero(patch.displacement_layout().size());
   linear.traction_work = linear.gap_variation;
   if (patch.fields.empty()) return linear;
@@ -53,19 +53,19 @@ void set_zero(PairLinearisation& linear, const MortarSpace& space, const FacetPa
     set_no_variation(jump.projection_variation);
     jump.weights.setZero(layout.nodes(), corners);
   }
-  set_zero(linear.slips, space, layout);
+  space.slips().set_zero(linear.slips, space, layout);
 }
 
 /// Adds the part of a pair to the linearisation of a node of its primary facet. `corner`: number of the node in the
 /// facet.
-void scatter(const PairLinearisation& pair, Index corner, NodeLinearisation& sum) {
+void scatter(const SlipAverages& slips, const PairLinearisation& pair, Index corner, NodeLinearisation& sum) {
   const PairPlaces place = dof_map(pair.patch.primary, pair.patch.secondary, sum.patch);
   const auto add = [&](VectorXd& variation, const MatrixXd& part) {
     if (sum.patch.displacements) add_variation(variation, part.col(corner), place);
   };
   add(sum.gap_variation, pair.gap_variation);
   add(sum.traction_work, pair.traction_work);
-  scatter(pair.slips, corner, place, sum.friction);
+  slips.scatter(pair.slips, corner, place, sum.friction);
   for (Index f = 0; f < pair.patch.fields.count(); ++f) {
     NodeLinearisation::Jump& jump = sum.jumps[position_in(sum.patch.fields, pair.patch.fields[f])];
     add(jump.projection_variation, pair.jumps[f].projection_variation);
@@ -142,7 +142,7 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
     for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
     laps.traction();
   }
-  add_slips(linear.slips, space, pair, memory.corners, fields, laps);
+  space.slips().add_pair(linear.slips, space, pair, memory.corners, fields, laps);
   for (Index k = 0; k < patch.fields.count(); ++k) {
     for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
     laps.field(patch.fields[k]);
@@ -256,14 +256,14 @@ IndexedVector<NodeLinearisation> linearise(const MortarSpace& space, const Nodal
   };
   const auto sum_at_nodes = [&](Index /*index*/, const PairLinearisation& pair) {
     for (Index a = 0; a < pair.patch.primary.count(); ++a) {
-      if (pair.is_averaged[a]) scatter(pair, a, nodes[pair.patch.primary[a]]);
+      if (pair.is_averaged[a]) scatter(space.slips(), pair, a, nodes[pair.patch.primary[a]]);
     }
   };
   in_order_with(PairMemory(), PairLinearisation(), facing.pairs().count(), linear_pair, sum_at_nodes);
   in_parallel(nodes.count(), [&](Index node) {
     if (!loads.in_contact[node]) return;
     add_flat_pairs(nodes[node], space, around[node], indexing::as_int(node), loads, fields);
-    divide_by_area(nodes[node].friction, loads, node);
+    space.slips().divide_by_area(nodes[node].friction, loads, node);
   });
   return nodes;
 }
@@ -284,7 +284,7 @@ bool LinearisationPoint::is_at(const FacingFields& fields) const {
          primary.scalar == fields.primary.scalar && secondary.scalar == fields.secondary.scalar;
 }
 
-NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) const {
+NodalLoads LinearisationPoint::predicted_averages(const SlipAverages& slips, const FacingFields& fields) const {
   NodalLoads predicted = loads;
   if (is_at(fields)) return predicted;
   predicted.own = fields.primary.scalar.leftCols(loads.own.rows()).transpose();
@@ -298,7 +298,7 @@ NodalLoads LinearisationPoint::predicted_averages(const FacingFields& fields) co
     VectorXd moved = displacements_at(linear.patch, {first.position, second.position});
     if (turns) subtract(moved, linear.patch, beyond, 1 - beyond_part[node]);
     predicted.gap[node] += linear.gap_variation.dot(moved);
-    predict(predicted.friction, node, linear.friction, linear.patch, moved, {first, second});
+    slips.predict(predicted.friction, node, linear.friction, linear.patch, moved, {first, second});
     for (Index k = 0; k < linear.jumps.count(); ++k) {
       predicted.jump(linear.patch.fields[k], node) += linear.jumps[k].projection_variation.dot(moved) +
                                                       jump_of(linear, k, {first, second});

@@ -1,7 +1,7 @@
 /// First variations of nodal averages, and the linearisation point of an iteration.
 #pragma once
 
-#include "mortar/slip_linearisation.h"
+#include "mortar/corner_point.h"
 
 #include <functional>
 
@@ -72,7 +72,7 @@ struct LinearisationPoint {
   /// True if the fields equal those of this state, so that the predicted change is zero.
   bool is_at(const FacingFields& fields) const;
   /// The linearised averages at another state, with the contact status and loads of this state.
-  NodalLoads predicted_averages(const FacingFields& fields) const;
+  NodalLoads predicted_averages(const SlipAverages& slips, const FacingFields& fields) const;
   /// Memory of the point [bytes].
   std::size_t memory() const;
 };

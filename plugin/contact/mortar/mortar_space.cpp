@@ -2,8 +2,8 @@
 
 #include "base/bytes.h"
 #include "base/in_order.h"
+#include "conditions/friction.h"
 #include "integration/facing_share.h"
-#include "mortar/slips.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,6 @@ struct JumpSums {
   FacetVector area;  ///< integrals INT psi_a da
   MatrixXd jump;     ///< integrals INT psi_a jump da, shape (fields, nodes)
 };
-
-/// Adds to `list` the entries of `more` that it does not contain.
-template <class Entries>
-void merge_unique(IndexedVector<int>& list, const Entries& more) {
-  for (const int entry : more) {
-    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
-  }
-}
 
 JumpSums jump_sums(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields,
                    const NodeFlags& in_contact) {
@@ -96,7 +88,9 @@ MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondar
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
       offset_(settings.gap.offset),
-      slips_(primary, effects, settings.friction),
+      slips_(by_friction<std::unique_ptr<SlipAverages>>(
+          effects.friction_kind, [] { return std::make_unique<SlipAverages>(); },
+          [&] { return std::make_unique<MeasuredSlips>(primary, settings.friction.ambient_pressure); })),
       effect_times_(effects.scalar_fields()) {}
 
 bool MortarSpace::keep_lost_points(const FacingPositions& x) {
@@ -199,8 +193,13 @@ void MortarSpace::average_jumps(const FacingFields& fields, NodalLoads& loads) c
 NodalLoads MortarSpace::averages(NodalGaps gaps, const FacingFields& fields, ContactStatus status) const {
   NodalLoads loads{std::move(gaps), std::move(status), {}, {}, {}, {}, {}};
   average_jumps(fields, loads);
-  loads.friction = average_slips(*this, loads, fields);
+  loads.friction = slips().averages(*this, loads, fields);
   return loads;
+}
+
+const SlipAverages& MortarSpace::slips() const {
+  static const SlipAverages none;
+  return effects().traction ? *slips_ : none;
 }
 
 void MortarSpace::measure_gaps_from(double offset) {
@@ -209,7 +208,7 @@ void MortarSpace::measure_gaps_from(double offset) {
   gaps_.reset();
 }
 
-std::size_t MortarSpace::memory() const { return facing_.memory() + weights_.memory() + slips_.memory(); }
+std::size_t MortarSpace::memory() const { return facing_.memory() + weights_.memory() + slips_->memory(); }
 
 bool MortarSpace::is_averaged_over(const FacetPair& pair, Index node) const {
   const Facet& facet = facing_.primary_facet(pair);
@@ -234,9 +233,9 @@ Patch MortarSpace::node_patch(Index node, const PairsAround& pairs) const {
     for (int field = 0; field < effects().scalar_fields(); ++field) patch.fields.push_back(field);
   }
   for (const FacetPair* pair : pairs) {
-    const bool is_averaged = is_averaged_over(*pair, node);
-    if (is_averaged || convects(*this)) merge_unique(patch.primary, facing_.primary_facet(*pair));
-    if (!is_averaged) continue;
+    slips().add_nodes(patch.primary, facing_.primary_facet(*pair));
+    if (!is_averaged_over(*pair, node)) continue;
+    merge_unique(patch.primary, facing_.primary_facet(*pair));
     merge_unique(patch.secondary, facing_.secondary_facet(*pair));
     merge_unique(patch.fields, facing_.exchanged_fields(*pair));
   }

@@ -1,12 +1,10 @@
 /// Nodal averages over the integration points around each node of the primary surface of a pass.
 #pragma once
 
-#include "base/timings.h"
-#include "conditions/nodal_loads.h"
-#include "geometry/slip.h"
-#include "integration/facing_pairs.h"
 #include "mortar/boundary_weights.h"
+#include "mortar/slips.h"
 
+#include <memory>
 #include <optional>
 
 namespace mixture_contact {
@@ -59,9 +57,10 @@ class MortarSpace {
     }
   }
 
-  /// The start of the step, from which slips are measured.
-  SlipReference& slips() { return slips_; }
-  const SlipReference& slips() const { return slips_; }
+  /// The averages of slips; those of a contact without friction while no tractions are exchanged.
+  const SlipAverages& slips() const;
+  /// The averages of slips with the start of the step, which they keep while no tractions are exchanged.
+  SlipAverages& kept_slips() const { return *slips_; }
 
   /// The average gaps at the positions of the last search or projection.
   const NodalGaps& gaps() const;
@@ -108,7 +107,7 @@ class MortarSpace {
   bool unknown_multipliers_;
   bool symmetric_;
   double offset_;
-  SlipReference slips_;
+  std::unique_ptr<SlipAverages> slips_;
   mutable EffectTimings effect_times_;  ///< measured times, on which no result depends
   /// Average gaps with the present pairs and weights, computed when first needed.
   mutable std::optional<NodalGaps> gaps_;

@@ -11,46 +11,9 @@ PairVariation<1> weight_variation(const PointKinematics& point, const KinematicV
   return point.primary_gradient.row(node).lazyProduct(vary.xi);
 }
 
-/// Adds the derivative of the nodal forces h_a F, three rows per node, where F is the force on the primary side.
-/// `dforce`: variation of F with respect to the positions of the first nodes of the pair; it does not depend on nodes
-/// without columns.
-void add_force_tangent(const PointKinematics& point, const KinematicVariations& vary, const Vector3d& force,
-                       const PairVariation<3>& dforce, MatrixXd& tangent) {
-  const Index first = point.primary_nodes();
-  const PairVector h = point.jump_weights();
-  for (Index column = 0; column < vary.eta.cols(); ++column) {
-    const bool varies = column < dforce.cols();
-    const Vector3d with_force = varies ? Vector3d(dforce.col(column)) : Vector3d::Zero();
-    const auto add = [&](Index node, double dh) {
-      tangent.col(column).segment<3>(3 * node) += h[node] * with_force + dh * force;
-    };
-    if (vary.wanders()) {
-      for (Index a = 0; a < first; ++a) add(a, point.primary_gradient.row(a).dot(vary.xi.col(column)));
-    } else if (varies) {
-      for (Index a = 0; a < first; ++a) add(a, 0);
-    }
-    for (Index b = 0; first + b < h.size(); ++b)
-      add(first + b, -point.secondary_gradient.row(b).dot(vary.eta.col(column)));
-  }
-}
-
 /// The friction force on the primary side, w |a| t_T.
 Vector3d friction_force(const PointKinematics& point, const PointLoads& loads) {
   return loads.weight * point.area * loads.friction;
-}
-
-void add_friction_force_variation(const PointKinematics& point, const KinematicVariations& vary,
-                                  const PointLoads& loads, PairVariation<3>& dforce) {
-  // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
-  const Vector3d with_area = loads.weight * loads.friction;
-  const Eigen::Matrix<double, 3, 2> with_xi = loads.weight * point.area * loads.friction_slope;
-  const bool varies = !loads.friction_slope.isZero(0);
-  for (Index column = 0; column < dforce.cols(); ++column) {
-    Vector3d change = vary.area[column] * with_area;
-    if (vary.wanders()) change += point.area * vary.weight[column] * with_area;
-    if (varies && vary.wanders()) change += with_xi.lazyProduct(vary.xi.col(column));
-    dforce.col(column) += change;
-  }
 }
 
 /// The variation d[w t_n a] = w [(dt_n + t_n dw/w) a + t_n da], with dt_n = t_n,alpha dxi_alpha. It has columns for the
@@ -77,15 +40,44 @@ void add_residual(const PointKinematics& point, const PointLoads& loads, const L
   }
 }
 
-void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
-                          MatrixXd& tangent) {
-  PairVariation<3> dforce = normal_force_variation(point, vary, loads);
-  Vector3d force = loads.weight * loads.traction * point.area_vector;
-  if (loads.has_friction()) {
-    add_friction_force_variation(point, vary, loads, dforce);
-    force += friction_force(point, loads);
+PointForce normal_force(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads) {
+  return {loads.weight * loads.traction * point.area_vector, normal_force_variation(point, vary, loads)};
+}
+
+void add_friction_force(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                        PointForce& force) {
+  // d[w |a| t_T] = w [ t_T (d|a| + |a| dw/w) + |a| t_T,alpha dxi_alpha ]
+  const Vector3d with_area = loads.weight * loads.friction;
+  const Eigen::Matrix<double, 3, 2> with_xi = loads.weight * point.area * loads.friction_slope;
+  const bool varies = !loads.friction_slope.isZero(0);
+  for (Index column = 0; column < force.variation.cols(); ++column) {
+    Vector3d change = vary.area[column] * with_area;
+    if (vary.wanders()) change += point.area * vary.weight[column] * with_area;
+    if (varies && vary.wanders()) change += with_xi.lazyProduct(vary.xi.col(column));
+    force.variation.col(column) += change;
   }
-  add_force_tangent(point, vary, force, dforce, tangent);
+  force.value += friction_force(point, loads);
+}
+
+void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointForce& force,
+                          MatrixXd& tangent) {
+  // The derivative of the nodal forces h_a F, three rows per node.
+  const Index first = point.primary_nodes();
+  const PairVector h = point.jump_weights();
+  for (Index column = 0; column < vary.eta.cols(); ++column) {
+    const bool varies = column < force.variation.cols();
+    const Vector3d with_force = varies ? Vector3d(force.variation.col(column)) : Vector3d::Zero();
+    const auto add = [&](Index node, double dh) {
+      tangent.col(column).segment<3>(3 * node) += h[node] * with_force + dh * force.value;
+    };
+    if (vary.wanders()) {
+      for (Index a = 0; a < first; ++a) add(a, point.primary_gradient.row(a).dot(vary.xi.col(column)));
+    } else if (varies) {
+      for (Index a = 0; a < first; ++a) add(a, 0);
+    }
+    for (Index b = 0; first + b < h.size(); ++b)
+      add(first + b, -point.secondary_gradient.row(b).dot(vary.eta.col(column)));
+  }
 }
 
 void add_flux_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads, Index k,

@@ -20,8 +20,6 @@ struct PointLoads {
   Eigen::Matrix<double, 3, 2> friction_slope = Eigen::Matrix<double, 3, 2>::Zero();
   double weight = 0;          ///< quadrature weight: da1 = weight * |a|
   double time_increment = 0;  ///< time increment dt [s]: the rows of fluxes are integrated over the step
-
-  bool has_friction() const { return !friction.isZero(0) || !friction_slope.isZero(0); }
 };
 
 /// Adds the contribution of a point to the virtual work (2.5), dG = residual . (virtual positions and fields), shape
@@ -31,10 +29,22 @@ struct PointLoads {
 /// each other. Rows of field k: w dt |a| q_k h_a [mm^3 or nmol], with h = (N1, -N2).
 void add_residual(const PointKinematics& point, const PointLoads& loads, const LocalLayout& layout, VectorXd& residual);
 
+/// The force at a point on the primary side [N] and its variation with the positions of the first nodes of the pair; it
+/// does not depend on nodes without columns.
+struct PointForce {
+  Vector3d value;
+  PairVariation<3> variation;
+};
+/// The force of the normal traction, w t_n a.
+PointForce normal_force(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads);
+/// Adds the force of friction, w |a| t_T.
+void add_friction_force(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                        PointForce& force);
+
 /// Adds the exact derivative of the displacement rows of add_residual() with respect to the nodal positions, eq (2.6),
 /// at constant loads of the nodes. It includes the changes of da1, of n1, of the projected position and of the
-/// interpolated tractions. Rows and columns contain displacements only.
-void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+/// interpolated tractions. Rows and columns contain displacements only. `force`: of all tractions.
+void add_traction_tangent(const PointKinematics& point, const KinematicVariations& vary, const PointForce& force,
                           MatrixXd& tangent);
 
 /// Adds the exact derivative of the residual rows of field k, one per node, with the nodal positions, at constant loads

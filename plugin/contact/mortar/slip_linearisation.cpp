@@ -1,7 +1,8 @@
 #include "mortar/slip_linearisation.h"
 
 #include "base/bytes.h"
-#include "mortar/slips.h"
+#include "mortar/bearing_pressure.h"
+#include "mortar/corner_point.h"
 
 namespace mixture_contact {
 namespace {
@@ -38,16 +39,17 @@ void set_pressure(SlidingPoint& sliding, const BearingPressure& pressure, const 
 }
 
 /// Slope r,xi of the slip at a point of the primary facet.
-Eigen::Matrix<double, 3, 2> slope_over_primary(const PastFacets& facets, const PastPoint& past, FacetType type,
+Eigen::Matrix<double, 3, 2> slope_over_primary(const FacetCoordinates& past1, const PastPoint& past, FacetType type,
                                                const Vector2d& xi) {
-  return slip_slope_with_xi(past, normal_slope(past, facets.primary * shape_hessian(type, xi)));
+  return slip_slope_with_xi(past, normal_slope(past, past1 * shape_hessian(type, xi)));
 }
 
-SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, const PastFacets& facets,
-                           const CornerPoint& at) {
+/// `past1`, `past2`: positions of the facets' nodes at the start of the step [mm].
+SlidingPoint sliding_point(const FacingPairs& facing, const FacetPair& pair, const FacetCoordinates& past1,
+                           const FacetCoordinates& past2, const CornerPoint& at) {
   const auto& [contact, vary] = at.point;
   const PointKinematics& kinematics = contact.kinematics;
-  const PastPoint past = past_point(kinematics, facets.primary, facets.secondary);
+  const PastPoint past = past_point(kinematics, past1, past2);
   const Vector3d r = slip(past);
   const PairVariation<1> darea = at.point.weighted_area_variation();
   SlidingPoint sliding;
@@ -57,17 +59,17 @@ SlidingPoint sliding_point(const MortarSpace& space, const FacetPair& pair, cons
   const Eigen::Matrix<double, 3, 2> with_eta = kinematics.area * slip_slope_with_eta(past);
   Eigen::Matrix<double, 3, 2> with_xi = Eigen::Matrix<double, 3, 2>::Zero();
   if (vary.wanders()) {
-    const Facet& facet = space.facing().primary_facet(pair);
-    with_xi = kinematics.area * slope_over_primary(facets, past, facet.type, space.facing().points(pair)[at.number].xi);
+    const FacetType type = facing.primary_facet(pair).type;
+    with_xi = kinematics.area * slope_over_primary(past1, past, type, facing.points(pair)[at.number].xi);
   }
   for (Index column = 0; column < darea.size(); ++column) {
-    Vector3d facing = with_eta.lazyProduct(vary.eta.col(column));
+    Vector3d moved = with_eta.lazyProduct(vary.eta.col(column));
     Vector3d normal = vary.area_vector.col(column);
     if (vary.wanders()) {
-      facing += with_xi.lazyProduct(vary.xi.col(column));
+      moved += with_xi.lazyProduct(vary.xi.col(column));
       normal += vary.weight[column] * kinematics.area_vector;
     }
-    sliding.variation.col(column).head<3>() = facing + darea[column] * r;
+    sliding.variation.col(column).head<3>() = moved + darea[column] * r;
     sliding.variation.col(column).tail<3>() = normal;
   }
   sliding.work = kinematics.area * kinematics.jump_weights();
@@ -108,19 +110,36 @@ Eigen::Matrix3d convection_change(const SlipLinearisation& linear, const VectorX
 
 }  // namespace
 
-void set_zero(SlipLinearisation& linear, const MortarSpace& space, Index node, const Patch& patch,
-              const PairsAround& pairs) {
-  if (!convects(space)) return;
+void MeasuredSlips::set_zero(SlipLinearisation& linear, const MortarSpace& space, Index node, const Patch& patch,
+                             const PairsAround& pairs) const {
   const LocalLayout layout = patch.displacement_layout();
   linear.average_variation.fill(layout.nodes(), Eigen::Matrix<double, 6, 3>::Zero());
   set_rest_zero(linear, layout, space.effects());
   linear.pressure_field = space.effects().pressure_field();
   linear.turning = space.facing().moves_points() ? layout.nodes() : layout.primary_nodes();
-  linear.convection = convection_around(space, node, pairs, patch.primary);
+  linear.convection = convection_around(space.facing(), node, pairs, patch.primary);
 }
 
-void set_zero(IndexedVector<PairSlip>& corners, const MortarSpace& space, const LocalLayout& displacements) {
-  if (!convects(space)) return;
+Matrix3Xd MeasuredSlips::convection_around(const FacingPairs& facing, Index node, const PairsAround& pairs,
+                                           const IndexedVector<int>& primary) const {
+  Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
+  double areas = 0;
+  int done = -1;
+  for (const FacetPair* pair : pairs) {
+    if (pair->primary == done) continue;  // pairs come in the order of their primary facets
+    done = pair->primary;
+    const Facet& facet = facing.primary_facet(*pair);
+    const Convection& there = convections_[done][number_in(facet, node)];
+    for (Index b = 0; b < there.coefficients.cols(); ++b)
+      sum.col(position_in(primary, facet.node(b))) += there.area * there.coefficients.col(b);
+    areas += there.area;
+  }
+  if (areas > 0) sum /= areas;
+  return sum;
+}
+
+void MeasuredSlips::set_zero(IndexedVector<PairSlip>& corners, const MortarSpace& space,
+                             const LocalLayout& displacements) const {
   corners.resize(indexing::entries(displacements.primary_nodes()));
   for (PairSlip& corner : corners) {
     corner.average_variation.setZero(6, displacements.size());
@@ -128,22 +147,24 @@ void set_zero(IndexedVector<PairSlip>& corners, const MortarSpace& space, const 
   }
 }
 
-void add_slips(IndexedVector<PairSlip>& corners, const MortarSpace& space, const FacetPair& pair,
-               const std::vector<CornerPoint>& points, const FacingFields& fields, ScopedTimer& laps) {
-  if (!convects(space)) return;
-  const PastFacets past = past_facets(space, pair);
-  const BearingPressure pressure = bearing_pressure(space, pair, fields);
+void MeasuredSlips::add_pair(IndexedVector<PairSlip>& corners, const MortarSpace& space, const FacetPair& pair,
+                             const std::vector<CornerPoint>& points, const FacingFields& fields,
+                             ScopedTimer& laps) const {
+  const FacingPairs& facing = space.facing();
+  const FacetCoordinates past1 = facet_coordinates(facing.primary_facet(pair), past_[Side::primary]);
+  const FacetCoordinates past2 = facet_coordinates(facing.secondary_facet(pair), past_[Side::secondary]);
+  const BearingPressure pressure = bearing_pressure(facing, pair, fields, ambient_pressure_);
   for (auto at = points.begin(); at != points.end();) {
     const Index number = at->number;
-    SlidingPoint sliding = sliding_point(space, pair, past, *at);
+    SlidingPoint sliding = sliding_point(facing, pair, past1, past2, *at);
     if (corners[at->corner].has_fluid()) set_pressure(sliding, pressure, at->point);
     for (; at != points.end() && at->number == number; ++at) add_sliding(corners[at->corner], *at, sliding);
   }
   laps.friction();
 }
 
-void scatter(const IndexedVector<PairSlip>& corners, Index corner, const PairPlaces& place, SlipLinearisation& sum) {
-  if (sum.empty()) return;
+void MeasuredSlips::scatter(const IndexedVector<PairSlip>& corners, Index corner, const PairPlaces& place,
+                            SlipLinearisation& sum) const {
   const PairSlip& pair = corners[corner];
   for (Index n = 0; n < place.size(); ++n) {
     if (place[n] < sum.turning) {
@@ -159,8 +180,7 @@ void scatter(const IndexedVector<PairSlip>& corners, Index corner, const PairPla
   }
 }
 
-void divide_by_area(SlipLinearisation& sum, const NodalLoads& loads, Index node) {
-  if (sum.empty()) return;
+void MeasuredSlips::divide_by_area(SlipLinearisation& sum, const NodalLoads& loads, Index node) const {
   const double per_area = 1 / loads.area[node];
   const NodalFriction& friction = loads.friction;
   Eigen::Matrix<double, 6, 1> average;
@@ -175,9 +195,8 @@ void divide_by_area(SlipLinearisation& sum, const NodalLoads& loads, Index node)
   sum.pressure_weights *= per_area;
 }
 
-void predict(NodalFriction& friction, Index node, const SlipLinearisation& linear, const Patch& patch,
-             const VectorXd& moved, const FacingFields& change) {
-  if (linear.empty()) return;
+void MeasuredSlips::predict(NodalFriction& friction, Index node, const SlipLinearisation& linear, const Patch& patch,
+                            const VectorXd& moved, const FacingFields& change) const {
   Eigen::Matrix<double, 6, 1> averages = Eigen::Matrix<double, 6, 1>::Zero();
   Vector3d trial = Vector3d::Zero();
   for (Index n = 0; n < linear.average_variation.count(); ++n) {
@@ -199,6 +218,11 @@ void predict(NodalFriction& friction, Index node, const SlipLinearisation& linea
     const SurfaceFields& surface = n < layout.primary_nodes() ? change.primary : change.secondary;
     friction.pressure[node] += weight * surface.scalar(patch.node(n), linear.pressure_field);
   }
+}
+
+void MeasuredSlips::add_force(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                              PointForce& force) const {
+  add_friction_force(point, vary, loads, force);
 }
 
 std::size_t bytes_of(const SlipLinearisation& linear) {

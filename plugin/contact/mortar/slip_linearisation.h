@@ -1,8 +1,8 @@
-/// First variations of the averages on which friction depends. Without friction they are empty, and the functions do
-/// nothing.
+/// First variations of the averages on which friction depends.
 #pragma once
 
-#include "mortar/corner_point.h"
+#include "base/indexed_vector.h"
+#include "geometry/kinematics.h"
 
 namespace mixture_contact {
 
@@ -27,7 +27,6 @@ struct SlipLinearisation {
   Index turning = 0;
   int pressure_field = 0;  ///< index of the pressure in the order of Effects
 
-  bool empty() const { return work.size() == 0; }
   bool has_fluid() const { return pressure_weights.size() > 0; }
 };
 
@@ -43,24 +42,6 @@ struct PairSlip {
 
   bool has_fluid() const { return pressure_weights.size() > 0; }
 };
-
-/// Sets the variations of a node to zero. `patch`: the nodes of its averages. `pairs`: the pairs around it.
-void set_zero(SlipLinearisation& linear, const MortarSpace& space, Index node, const Patch& patch,
-              const PairsAround& pairs);
-/// Sets the parts of a pair to zero, one for each node of its primary facet.
-void set_zero(IndexedVector<PairSlip>& corners, const MortarSpace& space, const LocalLayout& displacements);
-/// Adds the parts of the points of a pair, which are in ascending order.
-void add_slips(IndexedVector<PairSlip>& corners, const MortarSpace& space, const FacetPair& pair,
-               const std::vector<CornerPoint>& points, const FacingFields& fields, ScopedTimer& laps);
-/// Adds the part of a pair to the sums around a node of its primary facet. `corner`: number of the node in the facet.
-void scatter(const IndexedVector<PairSlip>& corners, Index corner, const PairPlaces& place, SlipLinearisation& sum);
-/// Divides the sums around a node by its area: d(Y/A) = (dY - Y/A dA)/A.
-void divide_by_area(SlipLinearisation& sum, const NodalLoads& loads, Index node);
-
-/// Adds the changes of a node's averages to `friction`. `patch`: nodes of the averages. `moved`: their displacements.
-/// `change`: changes of positions and fields.
-void predict(NodalFriction& friction, Index node, const SlipLinearisation& linear, const Patch& patch,
-             const VectorXd& moved, const FacingFields& change);
 
 /// Memory of the variations [bytes].
 std::size_t bytes_of(const SlipLinearisation& linear);

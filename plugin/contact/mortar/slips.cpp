@@ -1,8 +1,9 @@
 #include "mortar/slips.h"
 
+#include "base/bytes.h"
 #include "base/in_order.h"
-
-#include <algorithm>
+#include "mortar/bearing_pressure.h"
+#include "mortar/mortar_space.h"
 
 namespace mixture_contact {
 namespace {
@@ -15,50 +16,24 @@ struct SlipSums {
   FacetVector pressure;          ///< integrals INT psi_a (p~ - p*) da of the excess pressure
 };
 
-SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields,
-                   const NodeFlags& in_contact) {
+SlipSums slip_sums(const MortarSpace& space, const FacetPair& pair, const FacingPositions& past,
+                   const FacingFields& fields, double ambient_pressure, const NodeFlags& in_contact) {
   const FacingPairs& facing = space.facing();
   SlipSums sums;
   if (!facing.has_node_among(pair, in_contact)) return sums;
   const Index count = facing.primary_facet(pair).count();
-  const BearingPressure pressure = bearing_pressure(space, pair, fields);
-  const PastFacets past = past_facets(space, pair);
+  const BearingPressure pressure = bearing_pressure(facing, pair, fields, ambient_pressure);
+  const FacetCoordinates past1 = facet_coordinates(facing.primary_facet(pair), past.primary);
+  const FacetCoordinates past2 = facet_coordinates(facing.secondary_facet(pair), past.secondary);
   sums = {FacetCoordinates::Zero(3, count), FacetCoordinates::Zero(3, count), FacetVector::Zero(count)};
   space.for_each_point(pair, [&](const IntegrationPoint& place, const PointKinematics& point, const FacetVector& psi) {
     const FacetVector share = place.weight * psi;
-    const Vector3d slipped = point.area * slip(point, past.primary, past.secondary);
+    const Vector3d slipped = point.area * slip(point, past1, past2);
     sums.slip += slipped.lazyProduct(share.transpose());
     sums.area_vector += point.area_vector.lazyProduct(share.transpose());
     sums.pressure += pressure_at(pressure, point) * point.area * share;
   });
   return sums;
-}
-
-/// The side whose fluid pressure acts on the friction of a pair: the primary one if its facet has fluid, else the
-/// secondary one; empty if neither has fluid.
-std::optional<Side> bearing_side(const FacingPairs& facing, const FacetPair& pair) {
-  const FieldMask bearing = facing.effects().bearing_fields();
-  if ((bearing & facing.primary().permeable[pair.primary]) != 0) return Side::primary;
-  if ((bearing & facing.secondary().permeable[pair.secondary]) != 0) return Side::secondary;
-  return std::nullopt;
-}
-
-/// Calls use(facet, convection at the node) for each primary facet of the pairs around a node. Returns the sum of the
-/// facets' areas at the node.
-template <class Use>
-double for_each_facet_around(const MortarSpace& space, Index node, const PairsAround& pairs, const Use& use) {
-  double areas = 0;
-  int done = -1;
-  for (const FacetPair* pair : pairs) {
-    if (pair->primary == done) continue;  // pairs come in the order of their primary facets
-    done = pair->primary;
-    const Facet& facet = space.facing().primary_facet(*pair);
-    const Index corner = number_in(facet, node);
-    const Convection& there = space.slips().convections(pair->primary)[corner];
-    use(facet, there);
-    areas += there.area;
-  }
-  return areas;
 }
 
 /// The convection F = sum_b x_b C_b^T at a node of a facet with nodal positions x.
@@ -68,28 +43,59 @@ Eigen::Matrix3d convected(const Convection& there, const FacetCoordinates& x) {
   return sum;
 }
 
-/// Calls use(index, facet) for each primary facet that has a pair.
+/// Calls use(pair) for the first pair of each primary facet.
 template <class Use>
 void for_each_primary_facet(const MortarSpace& space, const Use& use) {
   int done = -1;
   for (const FacetPair& pair : space.facing().pairs()) {
     if (pair.primary == done) continue;  // pairs come in the order of their primary facets
     done = pair.primary;
-    use(done, space.facing().primary_facet(pair));
+    use(pair);
   }
 }
 
 }  // namespace
 
-NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields) {
+bool MeasuredSlips::measure_from(const FacingPositions& past) {
+  is_set_ = true;
+  past_ = {{past.primary, past.secondary}};
+  const IndexedVector<Facet>& facets = primary_.facets;
+  convections_ = IndexedVector<IndexedVector<Convection>>(facets.count());
+  in_parallel(facets.count(), [&](Index index) {
+    const FacetCoordinates x = facet_coordinates(facets[index], past.primary);
+    for (Index corner = 0; corner < x.cols(); ++corner)
+      convections_[index].push_back(convection(facets[index], corner, x));
+  });
+  return true;
+}
+
+void MeasuredSlips::begin_at(const FacingPositions& x) {
+  if (!is_set_) measure_from(x);
+}
+
+void MeasuredSlips::restore(const FacingPositions& past) {
+  forget();
+  if (past.primary.cols() > 0) measure_from(past);
+}
+
+std::size_t MeasuredSlips::memory() const {
+  std::size_t sum = bytes(convections_) + bytes(past_[Side::primary]) + bytes(past_[Side::secondary]);
+  for (const IndexedVector<Convection>& facet : convections_) sum += bytes(facet);
+  return sum;
+}
+
+NodalFriction MeasuredSlips::averages(const MortarSpace& space, const NodalLoads& loads,
+                                      const FacingFields& fields) const {
   NodalFriction friction;
-  if (!convects(space)) return friction;
   const Index nodes = space.nodes();
   friction.slip.setZero(3, nodes);
   friction.area_vector.setZero(3, nodes);
   VectorXd pressure = VectorXd::Zero(nodes);
   const IndexedVector<FacetPair>& pairs = space.facing().pairs();
-  const auto sums_of = [&](Index index) { return slip_sums(space, pairs[index], fields, loads.in_contact); };
+  const FacingPositions past = seen_from(Side::primary, past_);
+  const auto sums_of = [&](Index index) {
+    return slip_sums(space, pairs[index], past, fields, ambient_pressure_, loads.in_contact);
+  };
   in_order(pairs.count(), sums_of, [&](Index index, const SlipSums& sums) {
     const Facet& facet = space.facing().primary_facet(pairs[index]);
     for (Index a = 0; a < sums.pressure.size(); ++a) {
@@ -101,21 +107,21 @@ NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, c
     }
   });
   if (space.effects().bearing_fields() != 0) friction.pressure = std::move(pressure);
-  set_convection(friction, space, loads.in_contact, fields.primary.position);
+  convect(friction, space, loads.in_contact, fields.primary.position);
   return friction;
 }
 
-void set_convection(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
-                    const Matrix3Xd& x1) {
-  if (friction.empty()) return;
+void MeasuredSlips::convect(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
+                            const Matrix3Xd& x1) const {
   friction.convection.fill(space.nodes(), Eigen::Matrix3d::Zero());
   VectorXd areas = VectorXd::Zero(space.nodes());
-  for_each_primary_facet(space, [&](int index, const Facet& facet) {
+  for_each_primary_facet(space, [&](const FacetPair& pair) {
+    const Facet& facet = space.facing().primary_facet(pair);
     const FacetCoordinates x = facet_coordinates(facet, x1);
     for (Index corner = 0; corner < facet.count(); ++corner) {
       const int node = facet.node(corner);
       if (!in_contact[node]) continue;
-      const Convection& there = space.slips().convections(index)[corner];
+      const Convection& there = convections_[pair.primary][corner];
       friction.convection[node] += there.area * convected(there, x);
       areas[node] += there.area;
     }
@@ -125,56 +131,6 @@ void set_convection(NodalFriction& friction, const MortarSpace& space, const Nod
   }
 }
 
-Matrix3Xd convection_around(const MortarSpace& space, Index node, const PairsAround& pairs,
-                            const IndexedVector<int>& primary) {
-  Matrix3Xd sum = Matrix3Xd::Zero(3, primary.count());
-  const auto add = [&](const Facet& facet, const Convection& there) {
-    for (Index b = 0; b < there.coefficients.cols(); ++b) {
-      sum.col(position_in(primary, facet.node(b))) += there.area * there.coefficients.col(b);
-    }
-  };
-  const double areas = for_each_facet_around(space, node, pairs, add);
-  if (areas > 0) sum /= areas;
-  return sum;
-}
-
-PastFacets past_facets(const MortarSpace& space, const FacetPair& pair) {
-  const FacingPositions past = space.slips().past();
-  return {facet_coordinates(space.facing().primary_facet(pair), past.primary),
-          facet_coordinates(space.facing().secondary_facet(pair), past.secondary)};
-}
-
-BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields) {
-  const FacingPairs& facing = space.facing();
-  const std::optional<Side> side = bearing_side(facing, pair);
-  if (!side) return {};
-  const int field = space.effects().pressure_field();
-  const bool primary = *side == Side::primary;
-  const Facet& facet = primary ? facing.primary_facet(pair) : facing.secondary_facet(pair);
-  const SurfaceFields& surface = primary ? fields.primary : fields.secondary;
-  const FacetVector values = facet_values(facet, surface.scalar.col(field));
-  return {primary ? 0 : facing.primary_facet(pair).count(), values.array() - space.slips().ambient_pressure()};
-}
-
-double pressure_at(const BearingPressure& pressure, const PointKinematics& point) {
-  if (pressure.empty()) return 0;
-  return (pressure.first == 0 ? point.primary_shape : point.secondary_shape).dot(pressure.value);
-}
-
-PairVariation<1> pressure_variation(const BearingPressure& pressure, const PointKinematics& point,
-                                    const KinematicVariations& vary) {
-  const bool on_primary = pressure.first == 0;
-  if (pressure.empty() || (on_primary && !vary.wanders())) return PairVariation<1>::Zero(vary.gap.size());
-  if (on_primary) return (pressure.value.transpose() * point.primary_gradient).eval().lazyProduct(vary.xi);
-  return (pressure.value.transpose() * point.secondary_gradient).eval().lazyProduct(vary.eta);
-}
-
-PairVector pressure_weights(const BearingPressure& pressure, const PointKinematics& point) {
-  PairVector weights = PairVector::Zero(point.nodes());
-  if (pressure.empty()) return weights;
-  const FacetVector& shape = pressure.first == 0 ? point.primary_shape : point.secondary_shape;
-  weights.segment(pressure.first, shape.size()) = shape;
-  return weights;
-}
+void MeasuredSlips::add_nodes(IndexedVector<int>& nodes, const Facet& facet) const { merge_unique(nodes, facet); }
 
 }  // namespace mixture_contact

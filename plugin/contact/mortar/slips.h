@@ -1,55 +1,127 @@
-/// Nodal averages for friction: slip, normal, convection F_a of the surface since the start of the step, and fluid
-/// pressure. They are empty without friction.
+/// Nodal averages for friction with their variations: slip, normal, convection F_a of the surface since the start of
+/// the step, and fluid pressure.
 #pragma once
 
+#include "base/polymorphic.h"
+#include "base/timings.h"
+#include "conditions/nodal_loads.h"
 #include "geometry/slip.h"
-#include "mortar/mortar_space.h"
+#include "integration/facing_pairs.h"
+#include "mortar/slip_linearisation.h"
+
+#include <vector>
 
 namespace mixture_contact {
 
-/// True if the averages of a node include its convection.
-inline bool convects(const MortarSpace& space) { return space.effects().has_friction(); }
+struct CornerPoint;
+struct PointForce;
+struct PointLoads;
+class MortarSpace;
 
-/// The averages for friction at the nodes in contact.
-NodalFriction average_slips(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields);
+/// The averages for friction of a pass. This class is the form without friction: its averages are empty, and it
+/// computes nothing. MeasuredSlips is the form with friction. Callers use both in the same way.
+class SlipAverages : public Polymorphic {
+ public:
+  /// Sets the positions relative to which slips are measured, those of the last accepted state. Returns true if this
+  /// changes averages.
+  virtual bool measure_from(const FacingPositions& /*past*/) { return false; }
+  /// Sets the positions unless they have been set, or if forget() was called.
+  virtual void begin_at(const FacingPositions& /*x*/) {}
+  /// Lets slips begin at the positions of the next begin_at().
+  virtual void forget() {}
+  /// Sets stored positions; if they are empty, as forget().
+  virtual void restore(const FacingPositions& /*past*/) {}
+  /// The positions of the primary and of the secondary surface, for restore(); empty before begin_at().
+  virtual PerSide<Matrix3Xd> state() const { return {}; }
+  /// Sets the ambient pressure p* in the friction law [MPa].
+  virtual void measure_pressure_from(double /*ambient*/) {}
+  /// Memory of positions and convections [bytes].
+  virtual std::size_t memory() const { return 0; }
 
-/// Sets the convection F_a of the nodes in contact: how the surface around a node has deformed since the start of the
-/// step. `x1`: present positions of the primary surface.
-void set_convection(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
-                    const Matrix3Xd& x1);
+  /// The averages at the nodes in contact.
+  virtual NodalFriction averages(const MortarSpace& /*space*/, const NodalLoads& /*loads*/,
+                                 const FacingFields& /*fields*/) const {
+    return {};
+  }
+  /// Sets the convection F_a of the nodes in contact: how the surface around a node has deformed since the start of the
+  /// step. `x1`: present positions of the primary surface.
+  virtual void convect(NodalFriction& /*friction*/, const MortarSpace& /*space*/, const NodeFlags& /*in_contact*/,
+                       const Matrix3Xd& /*x1*/) const {}
+  /// Adds to `nodes` those of a primary facet around a node on which the node's convection depends.
+  virtual void add_nodes(IndexedVector<int>& /*nodes*/, const Facet& /*facet*/) const {}
 
-/// The coefficients C_b of F_a = sum_b x_b C_b^T, one column per node of `primary`. F_a is the mean over the paired
-/// primary facets around a node, weighted with their areas at the start of the step.
-///
-/// `pairs`: the pairs around the node. `primary`: primary nodes that include all nodes of these facets.
-Matrix3Xd convection_around(const MortarSpace& space, Index node, const PairsAround& pairs,
-                            const IndexedVector<int>& primary);
-
-/// Positions of the nodes of a pair's facets at the start of the step.
-struct PastFacets {
-  FacetCoordinates primary;
-  FacetCoordinates secondary;
+  /// Sets the variations of a node to zero. `patch`: the nodes of its averages. `pairs`: the pairs around it.
+  virtual void set_zero(SlipLinearisation& /*linear*/, const MortarSpace& /*space*/, Index /*node*/,
+                        const Patch& /*patch*/, const PairsAround& /*pairs*/) const {}
+  /// Sets the parts of a pair to zero, one for each node of its primary facet.
+  virtual void set_zero(IndexedVector<PairSlip>& /*corners*/, const MortarSpace& /*space*/,
+                        const LocalLayout& /*displacements*/) const {}
+  /// Adds the parts of the points of a pair, which are in ascending order.
+  virtual void add_pair(IndexedVector<PairSlip>& /*corners*/, const MortarSpace& /*space*/, const FacetPair& /*pair*/,
+                        const std::vector<CornerPoint>& /*points*/, const FacingFields& /*fields*/,
+                        ScopedTimer& /*laps*/) const {}
+  /// Adds the part of a pair to the sums around a node of its primary facet. `corner`: number of the node in the facet.
+  virtual void scatter(const IndexedVector<PairSlip>& /*corners*/, Index /*corner*/, const PairPlaces& /*place*/,
+                       SlipLinearisation& /*sum*/) const {}
+  /// Divides the sums around a node by its area: d(Y/A) = (dY - Y/A dA)/A.
+  virtual void divide_by_area(SlipLinearisation& /*sum*/, const NodalLoads& /*loads*/, Index /*node*/) const {}
+  /// Adds the changes of a node's averages to `friction`. `patch`: nodes of the averages. `moved`: their displacements.
+  /// `change`: changes of positions and fields.
+  virtual void predict(NodalFriction& /*friction*/, Index /*node*/, const SlipLinearisation& /*linear*/,
+                       const Patch& /*patch*/, const VectorXd& /*moved*/, const FacingFields& /*change*/) const {}
+  /// Adds the friction force of a point on the primary side, and its variation with the positions of the first nodes of
+  /// the pair.
+  virtual void add_force(const PointKinematics& /*point*/, const KinematicVariations& /*vary*/,
+                         const PointLoads& /*loads*/, PointForce& /*force*/) const {}
 };
-PastFacets past_facets(const MortarSpace& space, const FacetPair& pair);
 
-/// The fluid pressure that bears a part of the load, at the nodes of one facet of a pair.
-struct BearingPressure {
-  Index first = 0;    ///< index of the facet's first node in the pair
-  FacetVector value;  ///< nodal values of p~ - p*; empty if no fluid bears load
+/// The averages of slips, measured from the positions at the start of the step.
+class MeasuredSlips final : public SlipAverages {
+ public:
+  /// Keeps a reference to the mesh.
+  MeasuredSlips(const SurfaceMesh& primary, double ambient_pressure)
+      : primary_(primary), ambient_pressure_(ambient_pressure) {}
 
-  bool empty() const { return value.size() == 0; }
+  bool measure_from(const FacingPositions& past) override;
+  void begin_at(const FacingPositions& x) override;
+  void forget() override { is_set_ = false; }
+  void restore(const FacingPositions& past) override;
+  PerSide<Matrix3Xd> state() const override { return is_set_ ? past_ : PerSide<Matrix3Xd>(); }
+  void measure_pressure_from(double ambient) override { ambient_pressure_ = ambient; }
+  std::size_t memory() const override;
+
+  NodalFriction averages(const MortarSpace& space, const NodalLoads& loads, const FacingFields& fields) const override;
+  void convect(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
+               const Matrix3Xd& x1) const override;
+  void add_nodes(IndexedVector<int>& nodes, const Facet& facet) const override;
+
+  void set_zero(SlipLinearisation& linear, const MortarSpace& space, Index node, const Patch& patch,
+                const PairsAround& pairs) const override;
+  void set_zero(IndexedVector<PairSlip>& corners, const MortarSpace& space,
+                const LocalLayout& displacements) const override;
+  void add_pair(IndexedVector<PairSlip>& corners, const MortarSpace& space, const FacetPair& pair,
+                const std::vector<CornerPoint>& points, const FacingFields& fields, ScopedTimer& laps) const override;
+  void scatter(const IndexedVector<PairSlip>& corners, Index corner, const PairPlaces& place,
+               SlipLinearisation& sum) const override;
+  void divide_by_area(SlipLinearisation& sum, const NodalLoads& loads, Index node) const override;
+  void predict(NodalFriction& friction, Index node, const SlipLinearisation& linear, const Patch& patch,
+               const VectorXd& moved, const FacingFields& change) const override;
+  void add_force(const PointKinematics& point, const KinematicVariations& vary, const PointLoads& loads,
+                 PointForce& force) const override;
+
+ private:
+  /// The coefficients C_b of F_a = sum_b x_b C_b^T, one column per node of `primary`. F_a is the mean over the paired
+  /// primary facets around a node, weighted with their areas at the start of the step.
+  ///
+  /// `pairs`: the pairs around the node. `primary`: primary nodes that include all nodes of these facets.
+  Matrix3Xd convection_around(const FacingPairs& facing, Index node, const PairsAround& pairs,
+                              const IndexedVector<int>& primary) const;
+
+  const SurfaceMesh& primary_;
+  double ambient_pressure_;
+  bool is_set_ = false;
+  PerSide<Matrix3Xd> past_;                               ///< primary and secondary positions
+  IndexedVector<IndexedVector<Convection>> convections_;  ///< per primary facet and node
 };
-/// The fluid pressure on a pair: that of the primary facet if its body has fluid, else that of the secondary facet;
-/// empty if neither has fluid.
-BearingPressure bearing_pressure(const MortarSpace& space, const FacetPair& pair, const FacingFields& fields);
-
-/// The excess pressure p~ - p* at a point.
-double pressure_at(const BearingPressure& pressure, const PointKinematics& point);
-/// Variation of the excess pressure with respect to the nodal positions at fixed nodal values: its change as the point
-/// moves on its facet.
-PairVariation<1> pressure_variation(const BearingPressure& pressure, const PointKinematics& point,
-                                    const KinematicVariations& vary);
-/// Derivatives of the excess pressure at a point with respect to the values of p~ at the nodes of the pair.
-PairVector pressure_weights(const BearingPressure& pressure, const PointKinematics& point);
 
 }  // namespace mixture_contact

@@ -43,7 +43,7 @@ void FEBioSystem::factorise() const {
 
 void FEBioSystem::form_matrix() const {
   if (!solver_.febio()->m_qnstrategy->ReformStiffness()) throw FactorizationError();
-  fem_.DoCallback(CB_MATRIX_REFORM);
+  solver_.febio()->GetFEModel()->DoCallback(CB_MATRIX_REFORM);
 }
 
 void FEBioSystem::renew_residual() const { solver_.febio()->Residual(solver_.febio()->m_R0); }

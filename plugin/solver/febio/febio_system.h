@@ -21,8 +21,8 @@ enum class MatrixStrategy {
 /// Access to the equation system of FEBio's solver.
 class FEBioSystem {
  public:
-  /// Keeps references to the model and to its solver.
-  FEBioSystem(FEModel& fem, FEBioSolver& solver) : fem_(fem), solver_(solver) {}
+  /// Keeps a reference to the solver.
+  explicit FEBioSystem(FEBioSolver& solver) : solver_(solver) {}
 
   FEBioSolver& solver() const { return solver_; }
 
@@ -64,7 +64,6 @@ class FEBioSystem {
   bool& forms_matrix_after_augmentations() const;
 
  private:
-  FEModel& fem_;
   FEBioSolver& solver_;
 };
 

@@ -481,9 +481,9 @@ BOOST_AUTO_TEST_CASE(what_slips_along_the_normal_of_a_node_is_no_slip_of_one_tha
   NodalLoads loads = pass.nodal_loads(fields);
   loads.friction.traction.row(0).setConstant(1e-3);
   loads.friction.slip.row(2).setConstant(0.1);  // the surfaces are in the plane z = 0
-  BOOST_TEST(measure_gaps(pass.laws(), loads, fields).slip.largest <= rounding);
+  BOOST_TEST(measure_gaps(pass.laws(), loads, fields).slip.front().largest <= rounding);
   loads.friction.slip.row(1).setConstant(0.1);
-  check_close(measure_gaps(pass.laws(), loads, fields).slip.largest, 0.1, rounding);
+  check_close(measure_gaps(pass.laws(), loads, fields).slip.front().largest, 0.1, rounding);
 }
 
 /// A contact with an accepted step, and its tractions at the start of a step with a reduced penalty.

@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(tangents_are_those_of_the_points) {
     const LocalLayout layout(3, 3, 1);
     pair.for_each_point(pair.contact.unknowns, [&](std::size_t q, const PointKinematics& point) {
       const KinematicVariations vary = kinematic_variations(point);
-      add_traction_tangent(point, vary, pair.loads(q), traction);
+      add_traction_tangent(point, vary, normal_force(point, vary, pair.loads(q)), traction);
       add_flux_tangent(point, vary, pair.loads(q), field, layout, flux);
     });
     const MatrixXd by_displacements = flux(Eigen::all, pair.displacements());

@@ -22,12 +22,11 @@ struct LoadedScene : Scene {
   }
 
   FacingFields facing() const { return seen_from(Side::primary, fields); }
-  OutputRows rows() const { return OutputRows(effects); }
 
   /// The sums over all points.
   OutputSums sums_of_points() const {
     OutputSums sums;
-    sums.set_zero(rows().count(), space.nodes(), mesh[Side::secondary].nodes);
+    sums.set_zero(rows.count(), space.nodes(), mesh[Side::secondary].nodes);
     for (const FacetPair& pair : space.facing().pairs()) {
       for (const IntegrationPoint& place : space.facing().points(pair)) add(pair, place, sums);
     }
@@ -36,6 +35,7 @@ struct LoadedScene : Scene {
 
   MortarSpace space;
   NodalLoads loads;
+  OutputRows rows{effects.scalar_fields()};
 
  private:
   void add(const FacetPair& pair, const IntegrationPoint& place, OutputSums& sums) const {
@@ -46,11 +46,11 @@ struct LoadedScene : Scene {
         shape_functions(two.type, place.eta), facet_coordinates(two, facing().secondary.position));
     const FacetVector psi = space.shape(pair.primary, place.sub_facet, place.xi).value;
     const double traction = psi.dot(facet_values(one, loads.traction));
-    VectorXd values = VectorXd::Zero(rows().count());
+    VectorXd values = VectorXd::Zero(rows.count());
     values.head<3>() << 1, point.gap, -traction;  // area, gap, pressure
     for (int k = 0; k < effects.scalar_fields(); ++k) {
-      values[rows().flux() + k] = psi.dot(facet_values(one, loads.flux.row(k).transpose()));
-      values[rows().jump() + k] = point.jump_weights().dot(space.facing().values(pair, k, facing()));
+      values[rows.flux() + k] = psi.dot(facet_values(one, loads.flux.row(k).transpose()));
+      values[rows.jump() + k] = point.jump_weights().dot(space.facing().values(pair, k, facing()));
     }
     const double area = place.weight * point.area;
     for (Index a = 0; a < one.count(); ++a) sums.integrated.col(one.node(a)) += area * point.primary_shape[a] * values;
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(flat_pairs_put_out_what_their_points_would) {
     for (const FacetPair& pair : scene.space.facing().pairs()) BOOST_TEST(scene.space.facing().flat(pair) != nullptr);
 
     const FacingFields fields = scene.facing();
-    const OutputSums sums = sums_of({scene.space, scene.loads, SlidingNodes(), fields});
+    const OutputSums sums = sums_of(scene.space, scene.loads, scene.rows, fields);
     const OutputSums expected = scene.sums_of_points();
     check_equal(sums.integrated, expected.integrated);
     check_equal(sums.facing, expected.facing);
