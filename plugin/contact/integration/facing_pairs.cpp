@@ -79,7 +79,7 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
   first_kept_ = first_points(pairs(), [&](const FacetPair& pair) { return !has_moments(pair); });
   const Index kept = first_kept_.back();
   if (kinematics_.count() < kept) {
-    kinematics_.clear();  // all are evaluated anew
+    kinematics_.clear();  // evaluate_all() sets all
     kinematics_.reserve(indexing::entries(kept));
     kinematics_.resize(indexing::entries(kept));
   }
