@@ -21,7 +21,6 @@ COMMANDS = {
     "cost": "studies.cost.command",
     "cost-sweep": "studies.cost.command",
     "price": "studies.price.command",
-    "predictor": "studies.predictor.command",
     "synthetic-scenes": "studies.synthetic_scenes.command",
     "agreement": "studies.agreement.command",
     "robustness": "studies.robustness.command",

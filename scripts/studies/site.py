@@ -33,7 +33,6 @@ from studies.pages import (
     verification,
 )
 from studies.pages.gallery import page as gallery
-from studies.predictor import page as predictor
 from studies.price import page as price
 from studies.price import run_times
 from studies.run_tables import page as run_tables
@@ -48,7 +47,6 @@ EVIDENCE = (
     run_times.PAGE,
     hertz.PAGE,
     *knees.PAGES,
-    predictor.PAGE,
     ablation.PAGE,
 )
 """Pages of evidence, which are made from the results of studies."""

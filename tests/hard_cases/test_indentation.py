@@ -26,7 +26,7 @@ MEASURED = {
     (COARSE, "solute", True, Primary.CYLINDER): (310, 265),
 }
 """Newton iterations of 95 time steps, without and with the predictor: mesh, module, clamp of negative concentrations,
-primary surface. `mixcontact predictor` runs the middle mesh with the predictor."""
+primary surface."""
 FEBIOS_BEST = 312
 """Iterations of FEBio's `sliding-multiphasic` on a model of this problem, with 4 retries; 404 with 19 on this one."""
 

@@ -10,8 +10,7 @@ from scenes import pairs
 
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
-from studies.price import bars, effect_costs, joints, page, paired_runs, table
-from studies.price.paired_runs import Timed
+from studies.price import effect_costs, joints, page, paired_runs, table
 from studies.price.scenes import Kind, Scene, effects_added
 
 LOG = """
@@ -50,20 +49,6 @@ def test_a_table_that_is_none_is_refused(wrong):
 
 def test_a_log_without_a_table_has_no_times():
     assert table.read("sliding-mixture: stopped") == []
-
-
-def test_times_are_drawn_and_tabulated(tmp_path):
-    (times,) = table.read(LOG)
-    assert bars.draw({"one": times, "two": times}, tmp_path / "times.png").stat().st_size > 0
-    text = bars.scenes_table({"one": times})
-    assert "| one | 45.0 | 40.0 | 12.0 | 3.0 | 100.0 | 51.0 | 8.0% | 345 |" in text
-
-
-def test_what_bodies_take_is_not_the_contacts():
-    reference = Timed(True, 5, 10, 1.0, update=0.1, profile=0.0, stiffness=0.5, residual=0.2, unknowns=9, entries=40)
-    # twice the iterations and evaluations: 1 s of stiffness and 0.6 s of update and residual are the bodies'
-    joined = Timed(True, 10, 20, 2.0, update=0.25, profile=0.3, stiffness=1.4, residual=0.5, unknowns=9, entries=60)
-    assert paired_runs.contact_time(joined, reference) == pytest.approx(0.3 + 0.4 + 0.15)
 
 
 @pytest.mark.parametrize("name", effects_added())
@@ -118,7 +103,7 @@ def test_costs_are_those_of_the_run_with_the_median_share(tmp_path):
 
 def test_the_table_says_where_febio_adds_less():
     def price(kind: str, factor: float, added: float, *, ended: bool = True) -> paired_runs.Price:
-        return paired_runs.Price("biphasic", kind, factor, ended, False, 10, 10, 0.1, added, added, added, 500, 9000)
+        return paired_runs.Price("biphasic", kind, factor, ended, False, 10, added, added, added, 500, 9000)
 
     ours = price("sliding-mixture", 0.0, 0.5)
     predicted = price("sliding-mixture-predictor", 0.0, 0.1)

@@ -129,7 +129,7 @@ def test_the_limit_ended_only_what_took_its_time():
         told = f" ({stopped} of them at the limit)" if stopped else ""
         page = (DOCS / "evidence" / "cost.md").read_text(encoding="utf-8")
         assert re.search(rf"{len(own)} of \d+ with `{interface}`{re.escape(told)}[,.]", page)
-    for name in ("hard-cases.csv", "friction-cases.csv", "predictor.csv", "price-comparison.csv"):
+    for name in ("hard-cases.csv", "friction-cases.csv", "price-comparison.csv"):
         assert not any(row["limited"] == "True" and row["ended"] == "True" for row in rows(name))
 
 

@@ -49,7 +49,6 @@ SMALL = {
     "scripts/mixcontact elastic-hertz --folder docs": "{harness} elastic-hertz --help",
     "scripts/mixcontact price --docs": "{harness} price --help",
     "scripts/mixcontact price --only effects": "{harness} price --help",
-    "scripts/mixcontact predictor --mesh coarse --docs": "{harness} predictor --help",
     "scripts/mixcontact friction-cases --docs --no-febio": "{harness} friction-cases --help",
     "scripts/mixcontact friction-benchmarks --folder docs": "{harness} friction-benchmarks --help",
     "scripts/mixcontact friction-cost --folder docs": "{harness} friction-cost --help",
@@ -120,7 +119,6 @@ def scratch(runner, tmp_path) -> Path:
 def pages():
     """Every page with commands; the commands of some take less than 2 s of processor time."""
     quick = ("README.md", "first-model.md", "messages.md", "agreement.md", "friction-curves.md")
-    quick += ("predictor.md",)
     slow = {page: [] if page.name in quick else [pytest.mark.slow] for page in PAGES if blocks(page)}
     return [pytest.param(page, marks=marks) for page, marks in slow.items()]
 

@@ -26,7 +26,7 @@ ROOMS = {
     "studies": (
         *("stamps", "feb", "files", "tables", "timing", "diagnosis", "workflow"),
         *("closed_forms", "models", "post"),
-        *("engines", "pages", "hard_cases", "fuzz", "cost", "friction", "predictor", "price"),
+        *("engines", "pages", "hard_cases", "fuzz", "cost", "friction", "price"),
         *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers", "knees"),
         *("run_tables", "evidence", "cli", "site", "__main__"),
     ),

@@ -55,7 +55,6 @@ class Step:
 _DOCS = ("--folder", str(DOCS))
 _ON_THE_PAGE = ("--only", "joints", "--only", "effects", "--only", "comparison")
 """Of prices."""
-_COARSE = ("--mesh", "coarse", "--docs", "--jobs", "2", "--folder", "{folder}")
 UNTIMED = (
     Step("verification", ("verification.json",), (("validate", "--jobs", "2"), ("verification-report",)), 0.0),
     Step(
@@ -66,8 +65,11 @@ UNTIMED = (
     ),
     Step("biphasic-hertz", ("biphasic-hertz.csv",), (("biphasic-hertz", *_DOCS),), 0.0),
     Step("elastic-hertz", ("elastic-hertz.csv",), (("elastic-hertz", *_DOCS),), 0.0),
-    Step("hard-cases", ("hard-cases.csv",), (("hard-cases", *_COARSE),)),
-    Step("predictor", ("predictor.csv",), (("predictor", *_COARSE),)),
+    Step(
+        "hard-cases",
+        ("hard-cases.csv",),
+        (("hard-cases", "--mesh", "coarse", "--docs", "--jobs", "2", "--folder", "{folder}"),),
+    ),
     Step(
         "synthetic-scenes",
         ("synthetic-scenes.json",),

@@ -11,11 +11,10 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.errors import HarnessError
 from harness.paths import DOCS, RESULTS
 from studies import files, stamps
 from studies.pages.evidence import DATA
-from studies.price import bars, effect_costs, febio_matrices, joints, page, paired_runs, table
+from studies.price import effect_costs, febio_matrices, joints, page, paired_runs
 from studies.price.effect_costs import EffectCost
 from studies.price.scenes import Kind, Scene, effects_added
 from studies.stamps import LIMIT
@@ -37,21 +36,17 @@ class Part(str, Enum):
 
 
 def price(
-    logs: Annotated[list[Path] | None, typer.Argument(help="Draw the times of these logs, without new runs.")] = None,
     only: Annotated[list[Part] | None, typer.Option(help="Measure only this part. The option may be repeated.")] = None,
     repetitions: Annotated[int, typer.Option(min=1, help="Number of repetitions of each comparison.")] = 3,
     folder: Annotated[Path, typer.Option(help="Write tables and pictures to this folder.")] = RESULTS / "price",
     docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
 ) -> None:
-    """Measure the times of the contact, or draw the times in logs of earlier runs.
+    """Measure the times of the contact.
 
     The command alternates the runs that it compares, and takes the medians of their ratios. Nothing else should run at
     the same time.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    if logs:
-        _show_effects(_of_logs(logs), folder)
-        return
     chosen = only or list(Part)
     stamp = stamps.stamp(LIMIT)
     tell = partial(console.print, markup=False)
@@ -84,28 +79,3 @@ def _write_docs(folder: Path) -> None:
 
 def _solutes(kind: Kind) -> int:
     return 1 if kind in (Kind.SOLUTE, Kind.MULTIPHASIC) else 0
-
-
-def _of_logs(logs: list[Path]) -> dict[str, table.Times]:
-    found: dict[str, table.Times] = {}
-    for log in logs:
-        if not log.is_file():
-            raise HarnessError(f"there is no log {log}")
-        tables = table.read(log.read_text(errors="replace"))
-        if not tables:
-            raise HarnessError(f"{log} holds no times of a contact: they come at the end of a run")
-        for times in tables:
-            found[f"{log.stem}: {times.contact}" if len(tables) > 1 or len(logs) > 1 else times.contact] = times
-    return found
-
-
-def _show_effects(scenes: dict[str, table.Times], folder: Path) -> None:
-    console.print(f"Written: {bars.draw(scenes, folder / 'effects.png')}")
-    _show(scenes, folder / "effects.md")
-
-
-def _show(scenes: dict[str, table.Times], path: Path) -> None:
-    text = bars.scenes_table(scenes)
-    path.write_text(text + "\n")
-    console.print(text, markup=False)
-    console.print(f"Written: {path}")

@@ -7,12 +7,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from harness.models.document import Model
-from harness.run.febio_log import Report
 from studies import tables, timing
 from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints, table
 from studies.price.joints import Joint, Scene
-from studies.stamps import LIMIT
 
 FORMATS = ("non-symmetric", "symmetric")
 """FEBio's names; the second is its default in the module `solid`, the first in modules with a fluid."""
@@ -53,27 +51,21 @@ def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[s
 def _rows(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
     model = joints.rival(scene).model()
     runs = timing.interleave(
-        {form: partial(_run, _with(model, form)) for form in FORMATS},
+        {form: partial(joints.run, _with(model, form)) for form in FORMATS},
         repetitions,
         lambda form, number: announce(f"{name}: {form} ({number} of {repetitions})"),
     )
-    reference = [cpu for _, cpu, _ in runs[FORMATS[0]]]
     found = []
     for form, own in runs.items():
-        report, _, entries = own[0]
-        ratios = [cpu / other for (_, cpu, _), other in zip(own, reference, strict=True)]
-        counts = (report.normal, report.iterations, report.retries)
-        found.append(Matrix(name, form, *counts, *timing.spread(ratios), entries))
+        run, log = own[0]
+        counts = (run.report.normal, run.report.iterations, run.report.retries)
+        spread = timing.spread(joints.ratios(own, runs[FORMATS[0]]))
+        found.append(Matrix(name, form, *counts, *spread, table.entries(log)))
     return found
 
 
 def _with(model: Model, form: str) -> Model:
     return replace(model, control=replace(model.control, matrix=form))
-
-
-def _run(model: Model) -> tuple[Report, float, int]:
-    done, log = timing.execute(model, check=False, processor_limit=LIMIT)
-    return done.report, done.cpu, table.entries(log)
 
 
 def headline(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:

@@ -11,6 +11,7 @@ from statistics import median
 from typing import NamedTuple
 
 from harness.errors import DataFileError
+from harness.models.document import Model
 from studies import tables, timing
 from studies.hard_cases.scene import Interface
 from studies.models.ball_in_socket import BallInSocket
@@ -19,6 +20,7 @@ from studies.models.pressed_blocks import PressedBlocks
 from studies.price import table
 from studies.price.scenes import Kind, penalties
 from studies.stamps import LIMIT, at_limit
+from studies.timing import Timed
 
 FACTOR = 10.0
 """Of FEBio's automatic penalties: what its users set."""
@@ -80,14 +82,6 @@ class JointPrice:
     entries: int
 
 
-@dataclass(frozen=True)
-class _Run:
-    ended: bool
-    counts: tuple[int, int, int]
-    cpu: float
-    log: str
-
-
 def rival(scene: Scene) -> Scene:
     """The same scene with FEBio's own interface."""
     kind = Kind.BIPHASIC if scene.porous else Kind.ELASTIC
@@ -108,7 +102,7 @@ def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[s
 
 def _prices(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
     runs = timing.interleave(
-        {contact: partial(_run, one) for contact, one in contacts(scene).items()},
+        {contact: partial(run, one.model()) for contact, one in contacts(scene).items()},
         repetitions,
         lambda contact, number: announce(f"{name}: {contact} ({number} of {repetitions})"),
     )
@@ -118,28 +112,32 @@ def _prices(name: str, scene: Scene, repetitions: int, announce: Callable[[str],
     return [_price(name, contact, found, reference, facets) for contact, found in runs.items()]
 
 
-def _run(scene: Scene) -> _Run:
-    done, log = timing.execute(scene.model(), check=False, processor_limit=LIMIT)
-    report = done.report
-    return _Run(report.normal, (report.iterations, report.retries, report.reformations), done.cpu, log)
+def run(model: Model) -> Timed:
+    """Run a model once with the limit."""
+    return timing.execute(model, check=False, processor_limit=LIMIT)
 
 
-def _price(name: str, contact: str, runs: Sequence[_Run], reference: Sequence[_Run], facets: int) -> JointPrice:
-    ratios = [one.cpu / other.cpu for one, other in zip(runs, reference, strict=True)]
-    times = [found for run in runs for found in table.read(run.log)]
+def ratios(runs: Sequence[Timed], reference: Sequence[Timed]) -> list[float]:
+    """Processor times of runs over those of the reference, run in turn."""
+    return [one.cpu / other.cpu for (one, _), (other, _) in zip(runs, reference, strict=True)]
+
+
+def _price(name: str, contact: str, runs: Sequence[Timed], reference: Sequence[Timed], facets: int) -> JointPrice:
+    times = [found for _, log in runs for found in table.read(log)]
     least = min(times, key=lambda found: found.share, default=None)
+    first, log = runs[0]
     return JointPrice(
         name,
         contact,
-        all(run.ended for run in runs),
-        *runs[0].counts,
-        median(run.cpu for run in runs),
-        *timing.spread(ratios),
+        all(run.report.normal for run, _ in runs),
+        *(first.report.iterations, first.report.retries, first.report.reformations),
+        median(run.cpu for run, _ in runs),
+        *timing.spread(ratios(runs, reference)),
         least.share if least else float("nan"),
         least.points if least else 0,
         facets,
-        table.unknowns(runs[0].log),
-        table.entries(runs[0].log),
+        table.unknowns(log),
+        table.entries(log),
     )
 
 

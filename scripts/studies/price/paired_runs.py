@@ -3,101 +3,25 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from statistics import median
 
 from harness.models.interface import ContactSettings, InterfaceType
 from studies import timing
 from studies.hard_cases.scene import Interface
 from studies.models.pieces import PREDICTOR
-from studies.price import table
+from studies.price import joints, table
 from studies.price.scenes import Kind, Scene, penalties
-from studies.stamps import LIMIT, at_limit
+from studies.stamps import at_limit
+from studies.timing import Timed
 
 Announce = Callable[[str], None]
 """Told what is being run."""
 
-_TIMER = re.compile(r"^\s*([a-z ]+?) \.+ : \d+:\d\d:\d\d \(([-\d.e+]+) sec\)", re.MULTILINE)
 PREDICTING = ContactSettings(extra=(PREDICTOR,))
 FACTORS = (1000.0, 1.0)
 """Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
-
-
-def timers(log: str) -> dict[str, float]:
-    """FEBio's own timers (s of wall time) by its names of them; the last analysis step's where there are several."""
-    return {name: float(seconds) for name, seconds in _TIMER.findall(log)}
-
-
-@dataclass(frozen=True)
-class Timed:
-    """One run.
-
-    Attributes
-    ----------
-    ended : bool
-    iterations, residuals : int
-    cpu : float
-        Processor time of the run, s.
-    update, profile, stiffness, residual : float
-        FEBio's timers of model update, of forming the matrix profile, and of evaluating stiffness and residual, s.
-    unknowns, entries : int
-        Equations, and the most entries of the matrix.
-    """
-
-    ended: bool
-    iterations: int
-    residuals: int
-    cpu: float
-    update: float
-    profile: float
-    stiffness: float
-    residual: float
-    unknowns: int
-    entries: int
-
-
-def run(scene: Scene) -> Timed:
-    """Run a scene once, with one thread unless ``OMP_NUM_THREADS`` says otherwise.
-
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError
-        Without febio4 or the plugin.
-    """
-    done, log = timing.execute(scene.model(), check=False, processor_limit=LIMIT)
-    spent = timers(log)
-    report = done.report
-    parts = ("model update", "reforming stiffness", "evaluating stiffness", "evaluating residual")
-    update, profile, stiffness, residual = (spent.get(part, math.nan) for part in parts)
-    return Timed(
-        report.normal,
-        report.iterations,
-        report.residuals,
-        done.cpu,
-        update,
-        profile,
-        stiffness,
-        residual,
-        table.unknowns(log),
-        table.entries(log),
-    )
-
-
-def contact_time(with_contact: Timed, reference: Timed) -> float:
-    """Seconds that a contact takes in updates, matrix profile, stiffness and residual of one run.
-
-    What the bodies take is known from the reference's run: its stiffness per iteration, its update and residual per
-    evaluation. All of the profile is the contact's, since without one it is formed once.
-    """
-    iterations, residuals = with_contact.iterations / reference.iterations, with_contact.residuals / reference.residuals
-    return (
-        with_contact.profile
-        + (with_contact.stiffness - iterations * reference.stiffness)
-        + (with_contact.update + with_contact.residual - residuals * (reference.update + reference.residual))
-    )
 
 
 @dataclass(frozen=True)
@@ -114,10 +38,8 @@ class Price:
     ended : bool
     limited : bool
         Whether the limit ended a run.
-    iterations, reference_iterations : int
-        Newton iterations with this contact and of the conforming reference.
-    contact : float
-        Median of `contact_time`, s.
+    iterations : int
+        Newton iterations.
     added, added_low, added_high : float
         Median, least and largest of (processor time of the run)/(that of the conforming reference, run in turn) - 1.
     unknowns, entries : int
@@ -130,8 +52,6 @@ class Price:
     ended: bool
     limited: bool
     iterations: int
-    reference_iterations: int
-    contact: float
     added: float
     added_low: float
     added_high: float
@@ -156,7 +76,7 @@ def prices(scene: Scene, repetitions: int, announce: Announce) -> list[Price]:
     """Compare the contacts on one scene; all are run in turn, `repetitions` times."""
     scenes = compared(scene)
     runs = timing.interleave(
-        {key: partial(run, one) for key, one in scenes.items()},
+        {key: partial(joints.run, one.model()) for key, one in scenes.items()},
         repetitions,
         lambda key, number: announce(f"{scenes[key].name} ({number} of {repetitions})"),
     )
@@ -165,20 +85,9 @@ def prices(scene: Scene, repetitions: int, announce: Announce) -> list[Price]:
 
 
 def _price(kind: Kind, key: tuple[str, float], runs: Sequence[Timed], reference: Sequence[Timed]) -> Price:
-    pairs = list(zip(runs, reference, strict=True))
-    ended = all(one.ended for one in runs)
-    contact = median(contact_time(one, other) for one, other in pairs) if ended else math.nan
-    added = [one.cpu / other.cpu - 1.0 for one, other in pairs] if ended else [math.nan]
-    counts = (runs[0].unknowns, runs[0].entries)
-    limited = any(at_limit(one.ended, one.cpu) for one in runs)
-    return Price(
-        kind.value,
-        *key,
-        ended,
-        limited,
-        runs[0].iterations,
-        reference[0].iterations,
-        contact,
-        *timing.spread(added),
-        *counts,
-    )
+    first, log = runs[0]
+    ended = all(one.report.normal for one, _ in runs)
+    limited = any(at_limit(one.report.normal, one.cpu) for one, _ in runs)
+    added = [ratio - 1.0 for ratio in joints.ratios(runs, reference)] if ended else [math.nan]
+    size = (table.unknowns(log), table.entries(log))
+    return Price(kind.value, *key, ended, limited, first.report.iterations, *timing.spread(added), *size)

@@ -14,9 +14,6 @@ from studies.hard_cases import outcomes
 from studies.hard_cases import page as hard_cases
 from studies.hard_cases.outcomes import Outcome
 from studies.pages.evidence import DATA, EvidencePage
-from studies.predictor import page as predictor
-from studies.predictor import paired_models, summary_table
-from studies.predictor.paired_models import Took
 
 SOURCES = (
     hard_cases.SOURCE,
@@ -24,19 +21,16 @@ SOURCES = (
     friction.CASES_SOURCE,
     friction.MODELS_SOURCE,
     curves_table.SOURCE,
-    predictor.SOURCE,
 )
 
 
 def figures() -> Mapping[str, str]:
     """What the text of the page leaves open."""
-    pairs = paired_models.pairs(files.read_csv(DATA / predictor.SOURCE, Took))
     return {
         "hard_cases": outcomes.table(files.read_csv(DATA / hard_cases.SOURCE, Outcome), hard_cases.ABOUT),
         **cost.tables(files.read_csv(DATA / cost.SOURCE, Datum)),
         **friction.tables(),
         **curves_table.spheres(files.read_csv(DATA / curves_table.SOURCE, curves.Row)),
-        "predictor": summary_table.table(pairs),
     }
 
 
