@@ -19,7 +19,7 @@ from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
 from studies.synthetic_scenes.reported.outsides import wedge_between
 from studies.synthetic_scenes.reported.pressed import Dome
 from studies.synthetic_scenes.reported.shapes import MIDDLES, arc, box, mapped, shell
-from studies.synthetic_scenes.reported.sketch import Reported
+from studies.synthetic_scenes.reported.sketch import Drawn
 from studies.synthetic_scenes.reported.words import TWO_PASS, auglag, friction, radius
 
 QUICK = ("punch-flat-tilts", "rod-in-tube-outsides", "ring-between-plates")
@@ -110,7 +110,7 @@ def test_clamped_edges_under_rigid_plates_need_no_shorter_steps(name, tmp_path):
 @pytest.mark.usefixtures("runner")
 def test_a_wedge_that_contact_alone_holds_needs_no_shorter_steps(tmp_path):
     """Couplings that the matrix does not contain hold the wedge: an increment without them moves it far away."""
-    scene = Reported("a wedge between two bodies", partial(wedge_between, auglag(1.3, 0.1, TWO_PASS)))
+    scene = Drawn("a wedge between two bodies", partial(wedge_between, auglag(1.3, 0.1, TWO_PASS)))
     row = comparison.compare("wedge", scene, tmp_path, LIMIT, ("defaults",))
     assert row.defaults.ended, row.defaults.why
     assert row.defaults.retries == row.febio.retries == 0
@@ -120,7 +120,7 @@ def test_a_wedge_that_contact_alone_holds_needs_no_shorter_steps(tmp_path):
 def test_an_iteration_that_moves_a_body_beyond_the_search_radius_does_not_lose_the_contact(tmp_path):
     """A soft penalty lets the force push the body by several times the radius, in the first iteration alone."""
     params = auglag(0.05, 0.1, radius(0.02) + TWO_PASS + friction(0.2))
-    scene = Reported("a dome under a pressure, small search radius", Dome(params=params, load=0.05, gap=-0.01))
+    scene = Drawn("a dome under a pressure, small search radius", Dome(params=params, load=0.05, gap=-0.01))
     row = comparison.compare("dome", scene, tmp_path, LIMIT, ("converted",))
     assert row.converted.ended, row.converted.why
     assert row.converted.retries == 0

@@ -100,7 +100,7 @@ def test_iterations_are_those_with_products_in_the_matrix(runner, tmp_path, name
 
 def test_a_body_that_contact_alone_holds_keeps_its_pivots(runner, tmp_path):
     """A disc between two blocks: its motion as a whole has no stiffness but that of the loads on it."""
-    text = drawn_scenes.SCENES["stacked"].document.text()
+    text = drawn_scenes.SCENES["stacked"].draw().text()
     ours = text.replace('type="sliding-elastic"', 'type="sliding-mixture"').replace(drawn_scenes.PENALTY, "")
     assert ours != text
     (mixed, with_unknowns), (products, without) = (_run(ours, s, tmp_path) for s in (MIXED, PRODUCTS))

@@ -20,7 +20,19 @@ from harness.user_commands import FOR_EVERYBODY
 SCRIPTS = REPOSITORY / "scripts"
 ROOMS = {
     "harness": (
-        *("errors", "paths", "choice", "closed_forms", "models", "preflight", "conversion", "run", "post", "report"),
+        *(
+            "errors",
+            "paths",
+            "choice",
+            "arrays",
+            "closed_forms",
+            "models",
+            "preflight",
+            "conversion",
+            "run",
+            "post",
+            "report",
+        ),
         *("ecosystem", "indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (

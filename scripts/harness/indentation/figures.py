@@ -8,14 +8,13 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.indentation.histories import Curves
 from harness.models.indentation import TIMES
 from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import RunResult
 
-Array = NDArray[np.float64]
 FIELDS, CURVES = "figure-3.4", "indentation-curves"
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 PLANE = Section(mirrored=True)

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.document import Model
 from harness.post import contact_line, solute_balance
 from harness.post.solute_balance import State
 from harness.run.runner import RunResult
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

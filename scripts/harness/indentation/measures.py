@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from harness.arrays import Ids
 from harness.indentation.histories import Curves, is_open
 from harness.models.document import Model
 from harness.models.indentation import CONCENTRATION, TIMES
 from harness.models.indentation_mesh import Grid
-from harness.models.mesh import Ids
 from harness.post import contact_line, solute_balance
 from harness.post.compare import Measure
 from harness.post.solute_balance import State

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from harness.models.mesh import Ids, Nodes
+from harness.arrays import Ids
+from harness.models.mesh import Nodes
 
 Points = NDArray[np.float64]
 

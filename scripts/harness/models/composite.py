@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from harness.closed_forms import composite_slab
 from harness.models.layered import Layered
-from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Mixture, Solid, Solute, concentration, pressure
+from harness.models.parts import Mixture, Solid, Solute, concentration, effective_pressure, pressure
 
 AMBIENT = 1.0
 """mM."""
@@ -45,7 +45,7 @@ class Composite(Layered):
     MATERIALS: ClassVar = {"first": _material(0, FIRST), "second": _material(1, SECOND)}
     COLUMN = (("lower", "first", FIRST.thickness), ("upper", "second", SECOND.thickness))
     PRESCRIBED = (
-        pressure("bottom", -GAS_CONSTANT * TEMPERATURE * AMBIENT),
+        pressure("bottom", effective_pressure(AMBIENT)),
         concentration("bottom", AMBIENT),
     )
     LOGGED = ("c", "jz")

@@ -7,17 +7,7 @@ from typing import ClassVar
 
 from harness.models.diffusion import CLOSING, DIFFUSIVITY, HEIGHT
 from harness.models.layered import Layered
-from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
-    Condition,
-    Control,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    pressure,
-)
+from harness.models.parts import Condition, Control, Mixture, Solid, Solute, concentration, effective_pressure, pressure
 
 UPSTREAM = 1.0
 """Concentration at the inlet z = -h/2, mM."""
@@ -65,7 +55,7 @@ class Convection(Layered):
     def prescribed(self) -> tuple[Condition, ...]:
         """Inlet below, outlet above."""
         return (
-            pressure("bottom", PRESSURES[self.peclet] - GAS_CONSTANT * TEMPERATURE * UPSTREAM),
+            pressure("bottom", effective_pressure(UPSTREAM, PRESSURES[self.peclet])),
             concentration("bottom", UPSTREAM),
             pressure("top", 0.0),
             concentration("top", 0.0),

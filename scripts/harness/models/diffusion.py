@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from harness.models.layered import Layered
 from harness.models.mesh import Layer
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Condition,
     Control,
     Material,
@@ -16,6 +14,7 @@ from harness.models.parts import (
     Solid,
     Solute,
     concentration,
+    effective_pressure,
     pressure,
 )
 
@@ -81,6 +80,6 @@ class Diffusion(Layered):
     def prescribed(self) -> tuple[Condition, ...]:
         """Ambient below, impermeable above."""
         return (
-            pressure("bottom", -GAS_CONSTANT * TEMPERATURE * sum(self.ambient)),
+            pressure("bottom", effective_pressure(sum(self.ambient))),
             *(concentration("bottom", value, sol=number) for number, value in enumerate(self.ambient, 1)),
         )

@@ -8,8 +8,6 @@ from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, Primary, mesh
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Condition,
     Control,
     Curve,
@@ -19,6 +17,7 @@ from harness.models.parts import (
     Solute,
     TimeStepper,
     displace,
+    effective_pressure,
     fix,
     initial_concentration,
     initial_pressure,
@@ -119,7 +118,7 @@ class Indentation:
             *grip,
             displace("top", "y", -DEPTH, RAMP_CURVE),
             initial_concentration("slab", CONCENTRATION),
-            initial_pressure("slab", -GAS_CONSTANT * TEMPERATURE * GEL.osmotic * CONCENTRATION),
+            initial_pressure("slab", effective_pressure(CONCENTRATION)),
         )
 
     def _control(self, module: str) -> Control:

@@ -9,10 +9,11 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Ids
 from harness.errors import ModelError
 from harness.models import blocks
 from harness.models.blocks import Body
-from harness.models.mesh import Ids, Mesh, Part
+from harness.models.mesh import Mesh, Part
 
 Points = NDArray[np.float64]
 

@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Ids
 from harness.errors import ModelError
 
 Axis = NDArray[np.float64]
 Nodes = NDArray[np.float64]
-Ids = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -288,6 +288,11 @@ def concentration(where: str, value: float, curve: int | None = None, sol: int =
     return Condition("bc", "prescribed concentration", where, params)
 
 
+def effective_pressure(concentration: float, fluid: float = 0.0) -> float:
+    """Effective pressure p~ = p - R T c (MPa) at a fluid pressure (MPa) and a concentration (mM) of all solutes."""
+    return fluid - GAS_CONSTANT * TEMPERATURE * concentration
+
+
 def initial_pressure(where: str, value: float) -> Condition:
     """Effective fluid pressure p~ (MPa) of a node set at the start."""
     return Condition("ic", "initial fluid pressure", where, (Param("value", value),))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from harness.models.mesh import Ids
+from harness.arrays import Ids
 from harness.models.parts import Element, Param, child
 
 

@@ -7,14 +7,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from harness.arrays import Array, Ids
 from harness.errors import ModelError
-from harness.models.mesh import Ids, Mesh
+from harness.models.mesh import Mesh
 from harness.run.runner import RunResult
 
-Array = NDArray[np.float64]
 SAME_PLACE = 1e-6
 """mm between nodes of two meshes that stand for one another."""
 

@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.models.mesh import Ids, Mesh
-
-Array = NDArray[np.float64]
+from harness.arrays import Array, Ids
+from harness.models.mesh import Mesh
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,9 @@ from functools import cache
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.models.blocks import EDGES
-
-Array = NDArray[np.float64]
-Ids = NDArray[np.int64]
 
 _CORNERS = np.array(
     [(-1, -1, -1), (1, -1, -1), (1, 1, -1), (-1, 1, -1), (-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)],

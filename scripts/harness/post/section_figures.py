@@ -8,13 +8,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection, TriMesh
 from matplotlib.tri import Triangulation
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.models import blocks
 from harness.models.blocks import Body
-from harness.models.mesh import Ids, Mesh
+from harness.models.mesh import Mesh
 
-Array = NDArray[np.float64]
 MAP = "viridis"
 """Colours of 0 to 1."""
 NEAR = 1e-9

@@ -16,15 +16,13 @@ import re
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.document import Model
 from harness.models.mesh import Part
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Mixture
 from harness.post.hexahedra import Geometry, geometry
 from harness.run.logdata import History
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

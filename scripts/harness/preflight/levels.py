@@ -9,11 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.preflight.model import Condition, Contact, Model
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element, children, text
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from harness.arrays import Ids
 from harness.errors import ModelError
 from harness.preflight import elements
-from harness.preflight.elements import Ids, Points
+from harness.preflight.elements import Points
 from harness.preflight.xml_file import (
     Document,
     Element,

@@ -10,14 +10,13 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.preflight import elements, rays
 from harness.preflight.contact_types import UNLIMITED_SEARCH
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Surface
 from harness.preflight.model import Contact, Model
 
-Array = NDArray[np.float64]
-Ids = NDArray[np.int64]
 MOST_FACETS, LEAST_FACETS, MOST_PAIRS = 1000, 100, 10_000_000
 """So many facets of a surface are looked at for gaps; fewer where the other surface has many. Of larger surfaces every
 n-th is."""

@@ -10,9 +10,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.errors import DataFileError
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

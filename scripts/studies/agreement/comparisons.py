@@ -21,7 +21,6 @@ from studies.synthetic_scenes import kept_runs
 from studies.synthetic_scenes.collection_of_scenes import SCENES
 
 FEBIO, OURS = "FEBio's", "converted"
-Array = NDArray[np.float64]
 _SCENES = ("elements-hex8", "sphere", "pressure-load", "biphasic", "biphasic-creep", "solute")
 MESHES: Mapping[str, tuple[int, ...]] = dict.fromkeys(_SCENES, (1, 2, 3))
 """Scenes, and by how much finer than that of the collection each mesh is; all nodes of the first are in the others."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.document import Model
 from harness.models.parts import Mixture
 from harness.post import solute_balance
@@ -15,7 +16,6 @@ from harness.post.hexahedra import geometry
 from harness.run.logdata import History
 from studies.synthetic_scenes.slab_and_block import BLOCK, LOADED, PAIR, SLAB
 
-Array = NDArray[np.float64]
 COLUMNS = ("Rx", "Ry", "Rz")
 FACETS = ("contact pressure",)
 FORCE, APPROACH, AREA, FACETS_AREA, VOLUME, SOLUTE = (

@@ -37,9 +37,9 @@ from enum import Enum
 from math import pi
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from harness.arrays import Array
 
 EDGE = 1.45
 """Distance of the edge of contact from that of thin layers, inwards, in thicknesses of each of two equal layers."""

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.interface import InterfaceType
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
@@ -17,7 +17,6 @@ from studies.models import twisting_hemisphere
 from studies.models.concentric_spheres import WAY, ConcentricSpheres
 from studies.models.twisting_hemisphere import TwistingHemisphere
 
-Array = NDArray[np.float64]
 TORQUE_BAR = 0.03
 """Distance from what the published torques span, relative to them."""
 HEMISPHERES = {

@@ -6,8 +6,8 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.parts import Mixture, Param, Solid, Solute, TimeStepper
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
@@ -42,7 +42,6 @@ from studies.models.assembly import box
 
 OSCILLATION = 2.0
 """Where a layer at the outlet is thinner than an element the conforming reference oscillates about it, too."""
-Array = NDArray[np.float64]
 
 
 def with_solute(diffusivity: float, solubility: float = 1.0, permeability: float = GEL.permeability) -> Mixture:

@@ -6,10 +6,9 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Ids, Mask
 from harness.models.document import Model
-from harness.models.mesh import Ids
 from harness.post import solute_balance
 from harness.post.compare import Measure
 from harness.run.logdata import History
@@ -17,8 +16,6 @@ from harness.run.runner import Runner, RunResult
 from studies.hard_cases import variants
 from studies.hard_cases.scene import NEWTON, Case, prescribed
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 ROUNDING = 1e-12
 """Of the sums over two sides of a contact, relative to their largest value."""
 INVARIANT = 1e-9

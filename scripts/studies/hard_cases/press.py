@@ -9,14 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from harness.arrays import Array
 from harness.models.document import Model
 from harness.models.mesh import Box, Layer, Mesh, Section, assemble, conforming_column
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Condition,
     Curve,
     Mixture,
@@ -25,6 +23,7 @@ from harness.models.parts import (
     TimeStepper,
     concentration,
     displace,
+    effective_pressure,
     fix,
     initial_concentration,
     pressure,
@@ -33,7 +32,6 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
-Array = NDArray[np.float64]
 RAMP = tuple(100.0 * k for k in range(1, 11))
 """Times (s) of the steps in which the blocks are moved."""
 HOLD = tuple(1000.0 + 4000.0 * k for k in range(1, 7))
@@ -62,7 +60,7 @@ def stretches(below: Solid, above: Solid, shortening: float) -> tuple[float, flo
 
 def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[Condition]:
     """Ambient fluid pressure (MPa) and concentrations (mM) on a node set, so p~ = p - R T Phi c."""
-    held = [pressure(where, fluid - GAS_CONSTANT * TEMPERATURE * sum(values))]
+    held = [pressure(where, effective_pressure(sum(values), fluid))]
     return held + [concentration(where, value, sol=number) for number, value in enumerate(values, 1)]
 
 

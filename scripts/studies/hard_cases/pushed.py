@@ -6,13 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, cylinder_body
-from harness.models.mesh import Ids, Mesh, Part
+from harness.models.mesh import Mesh, Part
 from harness.models.parts import Condition, Curve, Param, displace, fix
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
@@ -20,7 +20,6 @@ from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 from studies.models.assembly import box
 
-Array = NDArray[np.float64]
 Motion = Callable[[Array, float], Array]
 """Displacements (n, 3) of nodes at reference positions (n, 3) at a time (s), mm."""
 NEAR = 1e-9

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import brentq
 
+from harness.arrays import Ids
 from harness.models.document import Model
-from harness.models.mesh import Box, Ids, Layer, Mesh, Part, assemble, conforming_column
+from harness.models.mesh import Box, Layer, Mesh, Part, assemble, conforming_column
 from harness.models.parts import Curve, Solid, displace, fix, normal_load
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult

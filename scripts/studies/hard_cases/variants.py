@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.models.document import Model
-from harness.models.mesh import Ids, Mesh
+from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Elastic, Material, Param, Rigid
 from harness.run.runner import RunResult
 
-Array = NDArray[np.float64]
 TURNED = {"x": "y", "y": "z", "z": "x"}
 """A third of a turn about the diagonal: each axis becomes the next one."""
 SHIFT = np.array([2.0, -1.0, 4.0])

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.run.runner import Runner, RunResult
 from studies.closed_forms import hertz
 from studies.models import elastic_hertz, partial_slip
@@ -15,7 +15,6 @@ from studies.models.elastic_hertz import ElasticHertz
 from studies.models.partial_slip import PartialSlip
 from studies.post import half_ellipse
 
-Array = NDArray[np.float64]
 WITHIN = 0.8
 """Part of the half-width or radius that closed forms are fitted in: facets at the edge are in contact in part."""
 

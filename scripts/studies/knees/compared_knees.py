@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.knee.bearing import Load
@@ -22,8 +22,6 @@ from harness.run.runner import Runner, RunResult
 from studies.knees import solute_of_knee
 from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.stamps import at_limit
-
-Array = NDArray[np.float64]
 
 FACTORS = (1.0, 10.0, 100.0)
 """Of FEBio's automatic penalties; 0 stands for the plugin's defaults."""

@@ -9,10 +9,11 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Ids
 from harness.errors import ModelError
 from harness.models import blocks
 from harness.models.blocks import Body, Points
-from harness.models.mesh import Ids, Mesh, Part
+from harness.models.mesh import Mesh, Part
 
 Inside = Callable[[Points], NDArray[np.bool_]]
 """Which positions, shape (..., 3) in mm, belong to a set."""

@@ -10,11 +10,12 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Ids
 from harness.models import blocks
 from harness.models.blocks import Body, Points
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
-from harness.models.mesh import Ids, Mesh, Part
+from harness.models.mesh import Mesh, Part
 from harness.models.parts import Control, Curve, Mixture, Param, Rigid, Solid, TimeStepper, fix, hold_rigid, push_rigid
 from studies.closed_forms import biphasic_layers
 from studies.closed_forms.biphasic_layers import Shape

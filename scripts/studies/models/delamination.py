@@ -8,8 +8,6 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Control,
     Curve,
     Mixture,
@@ -18,6 +16,7 @@ from harness.models.parts import (
     Solute,
     concentration,
     displace,
+    effective_pressure,
     fix,
     initial_concentration,
     initial_pressure,
@@ -36,7 +35,7 @@ BATH = 1.0
 """Concentration of the fluid around both bodies, mM."""
 CARTILAGE = Mixture(Solid(5.0, 0.2), permeability=1e-3, solutes=(Solute(1, 1e-2, free_diffusivity=1e-2),))
 BONE = Mixture(Solid(100.0, 0.2), permeability=1e-4, porosity=0.3, solutes=(Solute(1, 2e-3, free_diffusivity=1e-2),))
-AMBIENT_PRESSURE = -GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * BATH
+AMBIENT_PRESSURE = effective_pressure(BATH)
 """Effective pressure at this concentration without fluid pressure, MPa."""
 START = 0.2
 """Concentration in both bodies at first, mM."""

@@ -13,13 +13,12 @@ from harness.models.indentation_mesh import disk
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Control,
     Mixture,
     Solid,
     Solute,
     concentration,
+    effective_pressure,
     fix,
     initial_concentration,
     initial_pressure,
@@ -42,7 +41,7 @@ HOST = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, diffusivit
 GRAFT = Mixture(
     Solid(0.3, 0.2), permeability=5e-3, porosity=0.9, solutes=(Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),)
 )
-AMBIENT_PRESSURE = -GAS_CONSTANT * TEMPERATURE * HOST.osmotic * CONCENTRATION
+AMBIENT_PRESSURE = effective_pressure(CONCENTRATION)
 """Effective pressure at this concentration without fluid pressure, MPa."""
 GROWTH = 1.3
 """Of the elements of the host, from the wall of the defect outwards."""

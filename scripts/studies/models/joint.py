@@ -14,8 +14,6 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Condition,
     Control,
     Curve,
@@ -24,6 +22,7 @@ from harness.models.parts import (
     Solid,
     Solute,
     displace,
+    effective_pressure,
     fix,
     initial_concentration,
     initial_pressure,
@@ -51,7 +50,7 @@ CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffu
 LOADING, FILLING = 1, 2
 """Numbers of the load curves."""
 
-EFFECTIVE_PRESSURE = -GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * AMBIENT
+EFFECTIVE_PRESSURE = effective_pressure(AMBIENT)
 """MPa, where the concentration is `AMBIENT` and the fluid pressure 0."""
 
 SECTION = """\

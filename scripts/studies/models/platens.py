@@ -8,8 +8,6 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Layer, split_column
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Control,
     Curve,
     Elastic,
@@ -18,6 +16,7 @@ from harness.models.parts import (
     Solute,
     concentration,
     displace,
+    effective_pressure,
     fix,
     pressure,
 )
@@ -75,7 +74,7 @@ class Platens:
             fix("all", "xy"),
             fix("bottom", "z"),
             displace("top", "z", -COMPRESSION, 1),
-            pressure("top", -GAS_CONSTANT * TEMPERATURE * POROUS.osmotic * AMBIENT, 1),
+            pressure("top", effective_pressure(AMBIENT), 1),
             concentration("top", AMBIENT, 1),
         )
         return Model(

@@ -11,8 +11,6 @@ from harness.models.indentation_mesh import disk
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Control,
     Curve,
     Mixture,
@@ -20,6 +18,7 @@ from harness.models.parts import (
     Solute,
     concentration,
     displace,
+    effective_pressure,
     fix,
     initial_pressure,
     pressure,
@@ -41,7 +40,7 @@ CONCENTRATION = 1.0
 """Of the solution above the cartilage, mM."""
 CARTILAGE = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, 5e-4, free_diffusivity=1e-3),))
 BONE = Mixture(Solid(100.0, 0.2), permeability=1e-4, porosity=0.3, solutes=(Solute(1, 2e-4, free_diffusivity=1e-3),))
-AMBIENT_PRESSURE = -GAS_CONSTANT * TEMPERATURE * CARTILAGE.osmotic * CONCENTRATION
+AMBIENT_PRESSURE = effective_pressure(CONCENTRATION)
 """Effective pressure at this concentration without fluid pressure, MPa."""
 
 ABOUT = """\

@@ -8,8 +8,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from harness.arrays import Ids
 from harness.models.blocks import EDGES
-from harness.models.mesh import Ids, Mesh, Nodes, Part
+from harness.models.mesh import Mesh, Nodes, Part
 
 Group = tuple[int, ...]
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models import blocks
 from harness.models.blocks import Body, Points
-
-Array = NDArray[np.float64]
 
 
 def hemisphere(elements: int, radii: Array) -> Body:

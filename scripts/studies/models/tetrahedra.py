@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from harness.arrays import Ids
 from harness.models.blocks import Body
-from harness.models.mesh import Ids
 
 _HALVES = np.array([(0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7)])
 """The two prisms of a hexahedron: triangles below, then above."""

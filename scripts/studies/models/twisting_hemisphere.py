@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, default_settings, header
@@ -16,7 +16,6 @@ from studies.models import spherical_shells
 from studies.models.assembly import assembled, box, plane, sphere
 from studies.models.pieces import hold
 
-Array = NDArray[np.float64]
 OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0
 """Radii of the hemisphere and edge of the block, mm."""
 STIFF, SOFT = Solid(50.0, 0.3), Solid(10.0, 0.3)

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from harness.arrays import Ids
 from harness.models.document import Model
-from harness.models.mesh import Box, Ids, Mesh, Nodes, assemble
+from harness.models.mesh import Box, Mesh, Nodes, assemble
 from harness.models.parts import (
     Condition,
     Contact,

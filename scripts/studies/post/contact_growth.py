@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.run.runner import RunResult
 from studies.closed_forms import biphasic_layers
 from studies.models.biphasic_hertz import BiphasicHertz
 
-Array = NDArray[np.float64]
 FINE = 2000
 """Intervals in which the closed form is integrated."""
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
 from studies.closed_forms import cattaneo_mindlin, hertz
 from studies.models.partial_slip import COMBINED, FRICTION, RADIUS, THICKNESS
 from studies.post import half_ellipse
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ from typing import Protocol
 
 import numpy as np
 from lxml import etree
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.conversion import convert
 from harness.errors import HarnessError
 from harness.models.interface import InterfaceType
@@ -26,7 +26,6 @@ from studies.synthetic_scenes import kept_runs
 POSITIONS, DISPLACEMENTS = ("x", "y", "z"), ("ux", "uy", "uz")
 DISPLACEMENT = "displacement"
 PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penalty")
-Array = NDArray[np.float64]
 State = dict[str, Array]
 """By kind."""
 Change = Callable[[Element], None]

@@ -3,37 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from functools import partial
 
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, slotted_block
+from studies.synthetic_scenes.reported.sketch import Drawn
 
 PENALTY = "<laugon>PENALTY</laugon><auto_penalty>1</auto_penalty><penalty>10</penalty>"
 RAMP = curve(1, (0, 0), (1, 1))
 HELD = "".join(f"<R{dof}_dof>1</R{dof}_dof>" for dof in "xyzuvw")
 """Every degree of freedom of a rigid body."""
-
-
-@dataclass(frozen=True)
-class Drawn:
-    """A scene that is written part by part.
-
-    Attributes
-    ----------
-    about : str
-        What it stands for.
-    document : Document
-    """
-
-    about: str
-    document: Document
-
-    def write(self, name: str, folder: Path) -> Path:
-        """Write ``<name>.feb`` into `folder`, and return its path."""
-        folder.mkdir(parents=True, exist_ok=True)
-        path = folder / f"{name}.feb"
-        path.write_text(self.document.text(), encoding="iso-8859-1")
-        return path
 
 
 def _control(module: str = "solid", analysis: str = "STATIC") -> str:
@@ -126,11 +104,11 @@ def _slotted() -> Document:
 
 
 SCENES: Mapping[str, Drawn] = {
-    "shells-front": Drawn("a block on the front face of shells", _on_shells(faces_up=True)),
-    "shells-back": Drawn("a block on the back face of shells", _on_shells(faces_up=False)),
-    "shells-rigid": Drawn("a block on rigid shells", _on_shells(faces_up=True, is_rigid=True)),
-    "fluid-FSI": Drawn("module fluid-FSI", _pressed("fluid-FSI", "DYNAMIC")),
-    "stacked": Drawn("three bodies, two contacts", _stacked()),
-    "slot-closes": Drawn("a surface in contact with itself", _slotted()),
+    "shells-front": Drawn("a block on the front face of shells", partial(_on_shells, faces_up=True)),
+    "shells-back": Drawn("a block on the back face of shells", partial(_on_shells, faces_up=False)),
+    "shells-rigid": Drawn("a block on rigid shells", partial(_on_shells, faces_up=True, is_rigid=True)),
+    "fluid-FSI": Drawn("module fluid-FSI", partial(_pressed, "fluid-FSI", "DYNAMIC")),
+    "stacked": Drawn("three bodies, two contacts", _stacked),
+    "slot-closes": Drawn("a surface in contact with itself", _slotted),
 }
 """By name."""

@@ -7,8 +7,9 @@ from enum import Enum
 
 import numpy as np
 
+from harness.arrays import Ids
 from harness.models.blocks import FACES, TET_FACES, Body
-from harness.models.mesh import Ids, Mesh, Nodes, Part
+from harness.models.mesh import Mesh, Nodes, Part
 from studies.models.assembly import box
 from studies.models.quadratic import quadratic
 from studies.models.tetrahedra import tetrahedra

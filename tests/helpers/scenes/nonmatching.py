@@ -10,10 +10,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from harness.arrays import Ids
 from harness.models.diffusion import DIFFUSIVITY, MATERIAL
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
-from harness.models.mesh import Box, Ids, Mesh, Nodes, Part, assemble
+from harness.models.mesh import Box, Mesh, Nodes, Part, assemble
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Control, concentration, displace, fix, pressure
 from studies.models.quadratic import quadratic
 

@@ -10,9 +10,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Ids
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts
-from harness.models.mesh import Ids, Mesh, Nodes
+from harness.models.mesh import Mesh, Nodes
 from harness.models.parts import GAS_CONSTANT, TEMPERATURE, Condition, Param
 from scenes.nonmatching import Block, NonMatching
 

@@ -14,9 +14,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from harness.arrays import Array
 
 SAGITTAL, CORONAL = 30.0, 20.0
 """Radii of a condyle's surface in its sagittal and coronal sections."""

@@ -6,14 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.models.knee import anatomy
 from harness.models.knee.anatomy import Compartment
 from harness.models.knee.clearance import smallest_gap
-from harness.models.mesh import Ids
 
-Array = NDArray[np.float64]
 ROUNDNESS = 0.5
 """Of the plateau's corners: the elements there keep more than half of their angles."""
 

@@ -23,8 +23,6 @@ from enum import Enum
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.knee.whole_mesh import BATH, POROUS
 from harness.models.parts import (
-    GAS_CONSTANT,
-    TEMPERATURE,
     Condition,
     Elastic,
     Element,
@@ -34,6 +32,7 @@ from harness.models.parts import (
     Solute,
     child,
     concentration,
+    effective_pressure,
     initial_concentration,
     initial_pressure,
     pressure,
@@ -118,11 +117,6 @@ Coarse elements undershoot at a front; with these levels they stay above zero, w
 GLUCOSE = (Solute(1, diffusivity=6e-4, free_diffusivity=9e-4),)
 
 
-def _effective(level: float) -> float:
-    """Effective pressure of fluid without pressure at a concentration (mM), MPa."""
-    return -GAS_CONSTANT * TEMPERATURE * level
-
-
 def _porous(solutes: tuple[Solute, ...] = ()) -> tuple[Mixture, Mixture]:
     """Cartilage and menisci."""
     cartilage = Fibrous(0.65, 0.1, fibres={AROUND: 12.0, ACROSS: 12.0, UP: 12.0})
@@ -163,11 +157,11 @@ TISSUES: Mapping[Bodies, Tissues] = {
         "biphasic-solute menisci, whose horns springs hold to the tibia. Fibres in three directions bear tension.\n"
         "Glucose diffuses in from the synovial fluid.",
         (
-            pressure(BATH, _effective(BATH_LEVEL)),
+            pressure(BATH, effective_pressure(BATH_LEVEL)),
             concentration(BATH, BATH_LEVEL),
-            initial_pressure(POROUS, _effective(REST)),
+            initial_pressure(POROUS, effective_pressure(REST)),
             initial_concentration(POROUS, REST),
         ),
-        (Param("ambient_pressure", _effective(BATH_LEVEL)), Param("ambient_concentration", BATH_LEVEL)),
+        (Param("ambient_pressure", effective_pressure(BATH_LEVEL)), Param("ambient_concentration", BATH_LEVEL)),
     ),
 }

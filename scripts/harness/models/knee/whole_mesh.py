@@ -8,15 +8,14 @@ from enum import Enum
 from itertools import repeat
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.models.knee import anatomy, structured_blocks
 from harness.models.knee.anatomy import COMPARTMENTS, Compartment
 from harness.models.knee.structured_blocks import Block, Divisions, Fit
-from harness.models.mesh import Ids, Mesh, Part
+from harness.models.mesh import Mesh, Part
 from harness.models.springs import Springs
 
-Array = NDArray[np.float64]
 _Named = tuple[str, Ids]
 """A surface with its name."""
 

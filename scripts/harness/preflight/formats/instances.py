@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from harness.arrays import Array
 from harness.errors import ModelError
 from harness.preflight import xml_file
 from harness.preflight.formats.rewriting import set_text
@@ -27,7 +27,6 @@ from harness.preflight.xml_file import (
     unknown_name,
 )
 
-Array = NDArray[np.float64]
 Move = Callable[[Array], Array]
 
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.preflight import levels
 from harness.preflight.finding import Finding, note, short, warning
 from harness.preflight.levels import Level, prescribed_nodes
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element
 
-Array = NDArray[np.float64]
 CLOSE = 0.01
 """Relative agreement with R T Phi c."""
 FAR = 1e4

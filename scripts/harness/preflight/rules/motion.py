@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.preflight.finding import Finding, short, warning
 from harness.preflight.model import Condition, Model
 from harness.preflight.sides import Joint, Side
 from harness.preflight.xml_file import Element, children, chosen, flag, text
 
-Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
 ANALYSES = ("STATIC", "DYNAMIC")
 SMALL = 1e-6

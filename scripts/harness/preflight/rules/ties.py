@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.preflight import rays
 from harness.preflight.contact_types import STICKY, TIED
 from harness.preflight.finding import Finding, error, note, short, warning
@@ -17,8 +17,6 @@ from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
 from harness.preflight.tied_types import ANY_DISTANCE
 from harness.preflight.xml_file import children
-
-Array = NDArray[np.float64]
 
 ITERATIVE = (*settings.ITERATIVE_SOLVERS, "cg", "hypre_pcg_amg")
 AHEAD = 0.25

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models import convection, diffusion, indentation
 from harness.models.document import Model
 from harness.models.mesh import Mesh
@@ -17,8 +17,6 @@ from harness.run.logdata import History
 from harness.run.runner import RunResult
 from studies.models import delamination, graft, joint, kept_models, platens, plug
 from studies.models.indentation_variants import LEVELS
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.models.document import Model
 from harness.models.mesh import Mesh
 from harness.models.parts import Mixture
@@ -18,7 +19,6 @@ from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import RunResult
 from studies.pages.gallery.entries import Curves, Entry
 
-Array = NDArray[np.float64]
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 STYLES = ("-", "--", ":")
 """Of lines, so that they differ in grey, too."""

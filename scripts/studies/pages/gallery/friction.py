@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.post.section_figures import Section, draw_bodies
 from harness.run.runner import Runner, RunResult
 from studies.closed_forms import sliding_plate
@@ -16,7 +16,6 @@ from studies.models import plate_on_layer, sliding_joint
 from studies.models.plate_on_layer import PlateOnLayer
 from studies.models.sliding_joint import DRAINED, END, SlidingJoint
 
-Array = NDArray[np.float64]
 FRACTIONS = (0.0, 0.1, 0.5)
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62")
 MARKERS = ("o", "s", "^")

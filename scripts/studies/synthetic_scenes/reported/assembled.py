@@ -11,7 +11,7 @@ import numpy as np
 
 from studies.models.small import fixed, moved, step
 from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
-from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -285,72 +285,66 @@ def meniscus(params: str, force: float = 0.3) -> Sketch:
 
 
 _FLUID = auto(1.0, NEAR + fluid(1.0))
-SCENES: Mapping[str, Reported] = {
-    "contact-begins-later": Reported(
-        "contact begins in the second step of an analysis", partial(later, auto(1.0, NEAR))
-    ),
-    "contact-begins-later-facets": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "contact-begins-later": Drawn("contact begins in the second step of an analysis", partial(later, auto(1.0, NEAR))),
+    "contact-begins-later-facets": Drawn(
         "contact begins in the second step of an analysis, sliding-facet-on-facet",
         partial(later, auto(1.0, NEAR), "sliding-facet-on-facet"),
     ),
-    "lever-on-hinge": Reported("a rigid lever on a revolute joint presses a block", partial(hinged, auto(1.0, NEAR))),
-    "lever-on-ball-joint-friction": Reported(
+    "lever-on-hinge": Drawn("a rigid lever on a revolute joint presses a block", partial(hinged, auto(1.0, NEAR))),
+    "lever-on-ball-joint-friction": Drawn(
         "a rigid lever on a revolute joint presses a block, friction 0.3, augmented",
         partial(hinged, auglag(0.5, 0.1, NEAR), mu=0.3),
     ),
-    "ball-on-springs": Reported("a rigid ball on springs is brought onto a slab", partial(sprung, auto(1.0, NEAR))),
-    "ball-on-springs-slab-first": Reported(
+    "ball-on-springs": Drawn("a rigid ball on springs is brought onto a slab", partial(sprung, auto(1.0, NEAR))),
+    "ball-on-springs-slab-first": Drawn(
         "a rigid ball on springs is brought onto a slab, which is the primary surface",
         partial(sprung, auto(1.0, NEAR), first="slab"),
     ),
-    "roller-rolls": Reported(
+    "roller-rolls": Drawn(
         "a rigid roller under a force turns and rolls, friction 0.5", partial(rolls, auto(1.0, NEAR + friction(0.5)))
     ),
-    "hertz-hex27-gap": Reported(
+    "hertz-hex27-gap": Drawn(
         "half a ball of hex27, augmented to a gap", Hertz("hex27", auglag(1.0, 0.0, NEAR + "<gaptol>1e-3</gaptol>"))
     ),
-    "hertz-tet15": Reported("half a ball of tet15", Hertz("tet15", auto(1.0, NEAR))),
-    "hertz-penta15-two-pass": Reported(
-        "half a ball of penta15, two passes", Hertz("penta15", auto(1.0, NEAR + TWO_PASS))
-    ),
-    "hertz-hard": Reported("half a ball 1000 times as stiff as the block", Hertz("hex8", auto(1.0, NEAR), neo(1000.0))),
-    "hertz-symmetric-default-solver": Reported(
+    "hertz-tet15": Drawn("half a ball of tet15", Hertz("tet15", auto(1.0, NEAR))),
+    "hertz-penta15-two-pass": Drawn("half a ball of penta15, two passes", Hertz("penta15", auto(1.0, NEAR + TWO_PASS))),
+    "hertz-hard": Drawn("half a ball 1000 times as stiff as the block", Hertz("hex8", auto(1.0, NEAR), neo(1000.0))),
+    "hertz-symmetric-default-solver": Drawn(
         "half a ball, FEBio's default solver", Hertz("hex8", auto(1.0, NEAR), scheme=Scheme(updates=10, symmetric=None))
     ),
-    "hertz-one-step": Reported(
+    "hertz-one-step": Drawn(
         "half a Mooney-Rivlin ball, the whole load in two steps",
         Hertz("hex8", auto(1.0, NEAR), mooney(), Scheme(2, 0.5)),
     ),
-    "skin-on-foam": Reported("a shell on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR))),
-    "skin-on-foam-tri3": Reported(
+    "skin-on-foam": Drawn("a shell on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR))),
+    "skin-on-foam-tri3": Drawn(
         "a shell of triangles on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR), "tri3")
     ),
-    "peeled-tension": Reported(
+    "peeled-tension": Drawn(
         "a strip in contact with `tension` is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))
     ),
-    "dropped": Reported("a soft ball falls onto a slab", partial(dropped, auto(1.0, NEAR))),
-    "dropped-friction": Reported(
+    "dropped": Drawn("a soft ball falls onto a slab", partial(dropped, auto(1.0, NEAR))),
+    "dropped-friction": Drawn(
         "a soft ball falls obliquely onto a slab, friction 0.3", partial(dropped, auto(1.0, NEAR), 0.3)
     ),
-    "cap-snaps-by-force": Reported("a force causes snap-through of a cap of shells", partial(capped, auto(1.0, NEAR))),
-    "cap-snaps": Reported("a rigid ball dents a cap of shells", partial(capped, auto(1.0, NEAR), 0.0)),
-    "node-on-facet-slides": Reported(
+    "cap-snaps-by-force": Drawn("a force causes snap-through of a cap of shells", partial(capped, auto(1.0, NEAR))),
+    "cap-snaps": Drawn("a rigid ball dents a cap of shells", partial(capped, auto(1.0, NEAR), 0.0)),
+    "node-on-facet-slides": Drawn(
         "a soft block on a stiff one, sliding-node-on-facet", partial(flat_pair, given(50.0), "sliding-node-on-facet")
     ),
-    "facet-on-facet-slides": Reported(
+    "facet-on-facet-slides": Drawn(
         "a soft block on a stiff one, sliding-facet-on-facet, augmented",
         partial(flat_pair, auglag(1.0), "sliding-facet-on-facet"),
     ),
-    "biphasic-slides-stiff": Reported(
+    "biphasic-slides-stiff": Drawn(
         "a soft porous block on a stiffer one", partial(flat_pair, _FLUID, "sliding-biphasic", "biphasic")
     ),
-    "biphasic-slides-ten-times-soft": Reported(
+    "biphasic-slides-ten-times-soft": Drawn(
         "a soft porous block on a stiffer one, AUGLAG with a small penalty",
         partial(flat_pair, auglag(0.1, 0.1, NEAR + fluid(0.1)), "sliding-biphasic", "biphasic"),
     ),
-    "meniscus": Reported("a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID)),
-    "ogden-hertz-deep": Reported(
-        "half an Ogden ball, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)
-    ),
+    "meniscus": Drawn("a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID)),
+    "ogden-hertz-deep": Drawn("half an Ogden ball, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)),
 }
 """By name."""

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from studies.models.small import fixed, moved
 from studies.synthetic_scenes.reported.pressed import dome
 from studies.synthetic_scenes.reported.shapes import box, mapped
-from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     auglag,
@@ -126,32 +126,32 @@ def salty(params: str, charges: tuple[float, float], way: float = 0.0, scheme: S
 
 _SOFT = auto(1.0, NEAR + fluid(1.0))
 _SALT = auto(1.0, NEAR + fluid(1.0, 1.0))
-SCENES: Mapping[str, Reported] = {
-    "layers-tight-on-open": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "layers-tight-on-open": Drawn(
         "a dome with a very low permeability on a slab with a million times this permeability",
         Layers((1.0, 1e-6), _SOFT),
     ),
-    "layers-open-on-tight": Reported(
+    "layers-open-on-tight": Drawn(
         "a dome with a million times the slab's permeability, hex20",
         Layers((1e-6, 1.0), _SOFT, element="hex20"),
     ),
-    "layers-tight-slides": Reported(
+    "layers-tight-slides": Drawn(
         "layers of very different permeability slide, friction 0.1, two passes",
         Layers((1e-1, 1e-5), auto(1.0, NEAR + fluid(1.0) + friction(0.1) + TWO_PASS), way=0.3, scheme=Scheme(20)),
     ),
-    "layers-stiff-on-soft-load": Reported(
+    "layers-stiff-on-soft-load": Drawn(
         "a stiff porous dome on a soft slab under a pressure",
         Layers((1e-3, 1e-3), _SOFT, (0.2, 20.0), load=0.03),
     ),
-    "layers-augmented-bfgs": Reported(
+    "layers-augmented-bfgs": Drawn(
         "porous layers of a permeability ratio of 1e4, AUGLAG with a small penalty, BFGS",
         Layers((1e-4, 1.0), auglag(0.2, 0.1, NEAR + fluid(0.2)), scheme=Scheme(updates=10)),
     ),
-    "salty": Reported("layers with fixed charge, two ions cross", lambda: salty(_SALT, (-20.0, -20.0))),
-    "salty-unlike": Reported(
+    "salty": Drawn("layers with fixed charge, two ions cross", lambda: salty(_SALT, (-20.0, -20.0))),
+    "salty-unlike": Drawn(
         "a charged layer on a layer without charge, two ions cross", lambda: salty(_SALT, (-20.0, 0.0))
     ),
-    "salty-slides-two-pass": Reported(
+    "salty-slides-two-pass": Drawn(
         "charged layers slide, two passes",
         lambda: salty(auto(1.0, NEAR + fluid(1.0, 1.0) + TWO_PASS), (-20.0, -10.0), 0.3, Scheme(20)),
     ),

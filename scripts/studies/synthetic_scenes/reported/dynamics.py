@@ -7,7 +7,7 @@ from functools import partial
 
 from studies.models.small import fixed, moved
 from studies.synthetic_scenes.reported.shapes import ball, box, mapped, shell, shifted
-from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     auglag,
@@ -104,38 +104,38 @@ def wears(criterion: str, surfaces: str) -> Sketch:
 _GAP = '<criterion type="contact gap"><gap>{}</gap></criterion>'
 _CHOSEN = '<criterion type="element_selection"><value>1</value><element_list>{}</element_list></criterion>'
 
-SCENES: Mapping[str, Reported] = {
-    "impact": Reported("a block is thrown onto a block", partial(impact, auto(1.0, radius(0.5)))),
-    "impact-outsides": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "impact": Drawn("a block is thrown onto a block", partial(impact, auto(1.0, radius(0.5)))),
+    "impact-outsides": Drawn(
         "a block is thrown onto a block, whole outsides",
         partial(impact, auto(1.0, radius(0.5)), sides=("outside", "outside")),
     ),
-    "impact-wall": Reported("a block is thrown onto a rigid wall", partial(impact, auto(1.0, radius(0.5)), wall=True)),
-    "impact-two-pass-augmented": Reported(
+    "impact-wall": Drawn("a block is thrown onto a rigid wall", partial(impact, auto(1.0, radius(0.5)), wall=True)),
+    "impact-two-pass-augmented": Drawn(
         "a block is thrown onto a block, two passes, AUGLAG with a small penalty",
         partial(impact, auglag(0.2, 0.1, TWO_PASS + radius(0.5))),
     ),
-    "impact-bfgs": Reported(
+    "impact-bfgs": Drawn(
         "a block is thrown onto a block, numerical penalty, BFGS",
         partial(impact, given(20.0, radius(0.5)), scheme=Scheme(40, 2.5e-6, "DYNAMIC", updates=10)),
     ),
-    "ball-bounces": Reported("a soft ball bounces off a slab", partial(ball_bounces, auto(1.0, radius(0.5)))),
-    "ball-bounces-friction": Reported(
+    "ball-bounces": Drawn("a soft ball bounces off a slab", partial(ball_bounces, auto(1.0, radius(0.5)))),
+    "ball-bounces-friction": Drawn(
         "a soft ball is thrown obliquely at a slab, friction 0.3",
         partial(ball_bounces, auto(1.0, radius(0.5) + friction(0.3)), 2000.0),
     ),
-    "bullet-erodes": Reported(
+    "bullet-erodes": Drawn(
         "a rigid plate erodes a block by stress",
         partial(bullet, "yes", "sliding-elastic", auto(1.0, radius(0.5))),
     ),
-    "bullet-erodes-facets": Reported(
+    "bullet-erodes-facets": Drawn(
         "a rigid plate erodes a block by stress, surfaces that adapt, sliding-facet-on-facet",
         partial(bullet, "grow", "sliding-facet-on-facet", auto(1.0)),
     ),
-    "erosion-by-gap": Reported(
+    "erosion-by-gap": Drawn(
         "a slab erodes by FEBio's criterion of the gap", partial(wears, _GAP.format(0.002), "grow")
     ),
-    "erosion-away": Reported("elements without contact erode", partial(wears, _CHOSEN.format("1,2,3"), "yes")),
-    "erosion-in-contact": Reported("elements in contact erode", partial(wears, _CHOSEN.format("38,40"), "yes")),
+    "erosion-away": Drawn("elements without contact erode", partial(wears, _CHOSEN.format("1,2,3"), "yes")),
+    "erosion-in-contact": Drawn("elements in contact erode", partial(wears, _CHOSEN.format("38,40"), "yes")),
 }
 """By name."""

@@ -16,9 +16,9 @@ from studies.synthetic_scenes.reported import (
     straps,
     tubes,
 )
-from studies.synthetic_scenes.reported.sketch import Reported
+from studies.synthetic_scenes.reported.sketch import Drawn
 
-SCENES: Mapping[str, Reported] = {
+SCENES: Mapping[str, Drawn] = {
     **straps.SCENES,
     **tubes.SCENES,
     **outsides.SCENES,

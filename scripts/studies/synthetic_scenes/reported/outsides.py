@@ -21,7 +21,7 @@ from studies.synthetic_scenes.reported.shapes import (
     union,
     where,
 )
-from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import auglag, auto, hold, neo, ogden, press, radius, rigid, shift
 
 
@@ -229,60 +229,58 @@ def ring_between_plates(params: str, inner: bool) -> Sketch:
     )
 
 
-SCENES: Mapping[str, Reported] = {
-    "outsides-boxes": Reported("a box on a box, whole outsides", boxes),
-    "outsides-boxes-tet4-bfgs": Reported(
-        "a box on a box of tet4, whole outsides, BFGS", partial(boxes, 10, "", "tet4")
-    ),
-    "outsides-boxes-lean": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "outsides-boxes": Drawn("a box on a box, whole outsides", boxes),
+    "outsides-boxes-tet4-bfgs": Drawn("a box on a box of tet4, whole outsides, BFGS", partial(boxes, 10, "", "tet4")),
+    "outsides-boxes-lean": Drawn(
         "a box whose sides are inclined by a twentieth towards the other body, whole outsides",
         partial(boxes, lean=0.05),
     ),
-    "outsides-boxes-augmented": Reported(
+    "outsides-boxes-augmented": Drawn(
         "a box with inclined sides, whole outsides, AUGLAG with a small penalty",
         partial(boxes, 0, auglag(0.2), lean=0.02),
     ),
-    "outsides-plate-on-slab": Reported("a thin plate on a slab, whole outsides", plate_on_slab),
-    "outsides-plate-on-slab-near": Reported(
+    "outsides-plate-on-slab": Drawn("a thin plate on a slab, whole outsides", plate_on_slab),
+    "outsides-plate-on-slab-near": Drawn(
         "a thin plate on a slab, whole outsides, a search radius of three thicknesses",
         partial(plate_on_slab, radius(0.3)),
     ),
-    "corner": Reported("a block in the corner of an L", partial(corner, True, auto(5.0, radius(0.3)))),
-    "corner-outsides": Reported(
+    "corner": Drawn("a block in the corner of an L", partial(corner, True, auto(5.0, radius(0.3)))),
+    "corner-outsides": Drawn(
         "a block in the corner of an L, whole outsides", partial(corner, False, auto(5.0, radius(0.3)))
     ),
-    "clip-outsides": Reported("a plate between the arms of a U, whole outsides", partial(clip, auto(1.0, radius(0.3)))),
-    "wedge-outsides": Reported(
+    "clip-outsides": Drawn("a plate between the arms of a U, whole outsides", partial(clip, auto(1.0, radius(0.3)))),
+    "wedge-outsides": Drawn(
         "a wedge between two bodies, whole outsides, two contacts", partial(wedge_between, auto(1.0, radius(0.3)))
     ),
-    "edge-down": Reported(
+    "edge-down": Drawn(
         "the edge of a rigid box is pressed into a slab", partial(edge_down, ("z1", "outside"), 45.0, auto(1.0))
     ),
-    "edge-down-slight": Reported(
+    "edge-down-slight": Drawn(
         "a rigid box that is tilted by five degrees", partial(edge_down, ("z1", "outside"), 5.0, auto(1.0))
     ),
-    "edge-down-outsides": Reported(
+    "edge-down-outsides": Drawn(
         "the edge of a rigid box is pressed into a slab, whole outsides",
         partial(edge_down, ("outside", "outside"), 30.0, auto(1.0, radius(0.5))),
     ),
-    "fold": Reported(
+    "fold": Drawn(
         "a U is pressed flat, self-contact of its inside", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)))
     ),
-    "fold-outside": Reported(
+    "fold-outside": Drawn(
         "a U is pressed flat, self-contact of its whole outside",
         partial(fold, ("outside", "outside"), auto(0.3, radius(0.2)), depth=0.52),
     ),
-    "fold-hex20-bfgs": Reported(
+    "fold-hex20-bfgs": Drawn(
         "a U of hex20 is pressed flat, BFGS", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "hex20", 10)
     ),
-    "fold-tet4": Reported(
+    "fold-tet4": Drawn(
         "a U of tet4 is pressed flat", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "tet4", 0, 0.52)
     ),
-    "wave": Reported("a wavy sheet is pushed together", partial(wave, auto(1.0, radius(0.15)))),
-    "ring-between-plates": Reported(
+    "wave": Drawn("a wavy sheet is pushed together", partial(wave, auto(1.0, radius(0.15)))),
+    "ring-between-plates": Drawn(
         "a ring between rigid plates", partial(ring_between_plates, auto(1.0, radius(0.3)), False)
     ),
-    "ring-between-plates-closes": Reported(
+    "ring-between-plates-closes": Drawn(
         "a ring between rigid plates until its inside touches itself",
         partial(ring_between_plates, auto(1.0, radius(0.3)), True),
     ),

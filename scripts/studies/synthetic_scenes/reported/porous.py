@@ -8,7 +8,7 @@ from functools import partial
 
 from studies.models.small import fixed, moved
 from studies.synthetic_scenes.reported.shapes import arc, box, bulged, mapped, shifted, turned
-from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     SOLUTE,
     TWO_PASS,
@@ -105,58 +105,58 @@ def punch(params: str, scheme: Scheme, *, face: str = "x1", first: str = "layer"
 
 _SOFT = auto(1.0, radius(0.5) + fluid(1.0))
 _SALT = auto(1.0, radius(0.5) + fluid(1.0, 1.0))
-SCENES: Mapping[str, Reported] = {
-    "undrained": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "undrained": Drawn(
         "porous blocks, steps a thousandth of the time of drainage",
         Blocks(_SOFT, Scheme(10, 0.1), permeability=1e-5),
     ),
-    "undrained-augmented": Reported(
+    "undrained-augmented": Drawn(
         "porous blocks, steps a thousandth of the time of drainage, augmented",
         Blocks(auglag(1.0, 0.1, radius(0.5) + fluid(1.0)), Scheme(10, 0.1), permeability=1e-5),
     ),
-    "undrained-load": Reported(
+    "undrained-load": Drawn(
         "porous blocks with a very low permeability under a sudden pressure",
         Blocks(_SOFT, Scheme(10, 0.1), load=0.05, curve=4, permeability=1e-6),
     ),
-    "biphasic-slides-friction-bfgs": Reported(
+    "biphasic-slides-friction-bfgs": Drawn(
         "porous blocks slide, friction 0.2, BFGS",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0) + friction(0.2)), Scheme(20, updates=10), way=0.4),
     ),
-    "biphasic-slides-two-pass-tet4": Reported(
+    "biphasic-slides-two-pass-tet4": Drawn(
         "porous tetrahedra slide, two passes",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0) + TWO_PASS), Scheme(20), "tet4", way=0.4),
     ),
-    "biphasic-tet10-broyden": Reported(
+    "biphasic-tet10-broyden": Drawn(
         "porous tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10")
     ),
-    "biphasic-load-augmented": Reported(
+    "biphasic-load-augmented": Drawn(
         "porous blocks under a pressure, AUGLAG with a small penalty",
         Blocks(auglag(0.1, 0.1, radius(0.5) + fluid(0.1)), load=0.05),
     ),
-    "biphasic-punch": Reported(
+    "biphasic-punch": Drawn(
         "a rigid cylinder under a force creeps into a porous layer", partial(punch, _SOFT, Scheme(20))
     ),
-    "biphasic-punch-bfgs": Reported(
+    "biphasic-punch-bfgs": Drawn(
         "a rigid cylinder creeps into a porous layer, the cylinder as primary surface, BFGS",
         partial(punch, _SOFT, Scheme(20, updates=10), first="punch"),
     ),
-    "biphasic-punch-outside": Reported(
+    "biphasic-punch-outside": Drawn(
         "a rigid cylinder creeps into a porous layer, whole outside",
         partial(punch, _SOFT, Scheme(20), face="outside"),
     ),
-    "solute-two-pass": Reported(
+    "solute-two-pass": Drawn(
         "a solute crosses, two passes",
         Blocks(auto(1.0, radius(0.5) + fluid(1.0, 1.0) + TWO_PASS), solute=True),
     ),
-    "solute-slides-tet10": Reported(
+    "solute-slides-tet10": Drawn(
         "a solute crosses between sliding tet10",
         Blocks(_SALT, Scheme(20), "tet10", way=0.3, solute=True),
     ),
-    "solute-load-bfgs": Reported(
+    "solute-load-bfgs": Drawn(
         "a solute crosses under a pressure, BFGS",
         Blocks(_SALT, Scheme(10, updates=10), load=0.02, solute=True),
     ),
-    "solute-augmented": Reported(
+    "solute-augmented": Drawn(
         "a solute crosses, AUGLAG with a small penalty",
         Blocks(auglag(0.2, 0.1, radius(0.5) + fluid(0.2, 0.2)), solute=True, way=0.3, scheme=Scheme(20)),
     ),

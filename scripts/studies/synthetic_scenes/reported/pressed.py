@@ -20,7 +20,7 @@ from studies.synthetic_scenes.reported.shapes import (
     shifted,
     turned,
 )
-from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -233,103 +233,101 @@ def crushed(params: str, element: str = "hex8") -> Sketch:
     )
 
 
-SCENES: Mapping[str, Reported] = {
-    "dome-pa-m": Reported("a dome on a slab in Pa and m", Dome(neo(1e6), neo(2e6), auto(1.0, radius(5e-4)), unit=1e-3)),
-    "dome-pa-m-load": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "dome-pa-m": Drawn("a dome on a slab in Pa and m", Dome(neo(1e6), neo(2e6), auto(1.0, radius(5e-4)), unit=1e-3)),
+    "dome-pa-m-load": Drawn(
         "a dome on a slab in Pa and m, under a pressure",
         Dome(neo(1e6), neo(2e6), auto(1.0, radius(5e-4)), unit=1e-3, load=3e4, gap=-0.03),
     ),
-    "dome-micrometres": Reported(
+    "dome-micrometres": Drawn(
         "a dome on a slab in micrometres and kPa, BFGS",
         Dome(neo(1.0), neo(2.0), auto(1.0), unit=50.0, scheme=Scheme(updates=10)),
     ),
-    "dome-stiff-on-soft": Reported("a dome 1e3 times as stiff as the slab", Dome(neo(0.1), neo(100.0))),
-    "dome-soft-on-stiff": Reported("a dome 1e4 times as soft as the slab", Dome(neo(1e3), neo(0.1))),
-    "dome-soft-on-stiff-slab-first": Reported(
+    "dome-stiff-on-soft": Drawn("a dome 1e3 times as stiff as the slab", Dome(neo(0.1), neo(100.0))),
+    "dome-soft-on-stiff": Drawn("a dome 1e4 times as soft as the slab", Dome(neo(1e3), neo(0.1))),
+    "dome-soft-on-stiff-slab-first": Drawn(
         "a soft dome on a stiff slab, the slab as primary surface", Dome(neo(1e3), neo(0.1), first="slab")
     ),
-    "dome-overlap": Reported(
+    "dome-overlap": Drawn(
         "a dome that overlaps a slab by a third of an element at the start", Dome(gap=-0.06, depth=0.1)
     ),
-    "dome-overlap-tet10": Reported(
+    "dome-overlap-tet10": Drawn(
         "a dome of tet10 that overlaps a slab of tet10 at the start",
         Dome(gap=-0.06, depth=0.1, elements=("tet10", "tet10")),
     ),
-    "dome-deep": Reported(
+    "dome-deep": Drawn(
         "an Ogden dome, pressed deep in five steps", Dome(ogden(), ogden(), depth=0.4, scheme=Scheme(5, 0.2))
     ),
-    "dome-deep-two-pass": Reported(
+    "dome-deep-two-pass": Drawn(
         "a Mooney-Rivlin dome, pressed deep, two passes",
         Dome(mooney(), mooney(), auto(1.0, NEAR + TWO_PASS), depth=0.4),
     ),
-    "dome-hex20-on-tet10": Reported("hex20 on tet10", Dome(elements=("tet10", "hex20"))),
-    "dome-hex27-on-penta15": Reported("hex27 on penta15", Dome(elements=("penta15", "hex27"))),
-    "dome-tet4-on-hex20": Reported(
+    "dome-hex20-on-tet10": Drawn("hex20 on tet10", Dome(elements=("tet10", "hex20"))),
+    "dome-hex27-on-penta15": Drawn("hex27 on penta15", Dome(elements=("penta15", "hex27"))),
+    "dome-tet4-on-hex20": Drawn(
         "tet4 on hex20, two passes", Dome(params=auto(1.0, NEAR + TWO_PASS), elements=("hex20", "tet4"))
     ),
-    "dome-penta6-friction": Reported(
+    "dome-penta6-friction": Drawn(
         "wedges on tetrahedra, friction 0.5", Dome(params=auto(1.0, NEAR + friction(0.5)), elements=("tet4", "penta6"))
     ),
-    "dome-load-held": Reported(
+    "dome-load-held": Drawn(
         "a pressure that is held for a long time", Dome(load=0.05, gap=-0.03, held=True, scheme=Scheme(20, 0.1))
     ),
-    "dome-held": Reported("a displacement that is held for a long time", Dome(held=True, scheme=Scheme(20, 0.1))),
-    "dome-fibres": Reported("fibres that bear tension alone", Dome(FIBRES, FIBRES)),
-    "dome-viscoelastic": Reported("viscoelastic bodies, BFGS", Dome(VISCOUS, VISCOUS, scheme=Scheme(updates=10))),
-    "dome-symmetric": Reported("a dome, FEBio's default solver", Dome(scheme=Scheme(updates=10, symmetric=None))),
-    "dome-augmented-fine": Reported(
+    "dome-held": Drawn("a displacement that is held for a long time", Dome(held=True, scheme=Scheme(20, 0.1))),
+    "dome-fibres": Drawn("fibres that bear tension alone", Dome(FIBRES, FIBRES)),
+    "dome-viscoelastic": Drawn("viscoelastic bodies, BFGS", Dome(VISCOUS, VISCOUS, scheme=Scheme(updates=10))),
+    "dome-symmetric": Drawn("a dome, FEBio's default solver", Dome(scheme=Scheme(updates=10, symmetric=None))),
+    "dome-augmented-fine": Drawn(
         "a dome, augmented to a gap of 1e-4 mm", Dome(params=auglag(1.0, 0.0, NEAR + "<gaptol>1e-4</gaptol>"))
     ),
-    "dome-given-soft": Reported("a numerical penalty that is softer than the bodies", Dome(params=given(0.5, NEAR))),
-    "dome-load": Reported("a dome under a large pressure", Dome(neo(1.0, 0.45), neo(1.0, 0.45), load=0.3, gap=-0.03)),
-    "stack": Reported(
+    "dome-given-soft": Drawn("a numerical penalty that is softer than the bodies", Dome(params=given(0.5, NEAR))),
+    "dome-load": Drawn("a dome under a large pressure", Dome(neo(1.0, 0.45), neo(1.0, 0.45), load=0.3, gap=-0.03)),
+    "stack": Drawn(
         "four blocks on each other", partial(stack, auto(1.0, NEAR), [neo(), neo(2.0), neo(0.5), neo()], "")
     ),
-    "stack-unlike": Reported(
+    "stack-unlike": Drawn(
         "four blocks on each other, with stiffnesses of 1 to 100",
         partial(stack, auto(1.0, NEAR), [neo(), neo(100.0), neo(), neo(100.0)], ""),
     ),
-    "stack-tet4": Reported(
+    "stack-tet4": Drawn(
         "four blocks of tet4 on each other",
         partial(stack, auto(1.0, NEAR), [neo(), neo(2.0), neo(0.5), neo()], "", "tet4"),
     ),
-    "two-on-one": Reported(
-        "two rigid spheres in one slab, one slides to the other", partial(two_on_one, auto(1.0, NEAR))
-    ),
-    "two-on-one-friction": Reported(
+    "two-on-one": Drawn("two rigid spheres in one slab, one slides to the other", partial(two_on_one, auto(1.0, NEAR))),
+    "two-on-one-friction": Drawn(
         "two rigid spheres in one slab, friction 0.3", partial(two_on_one, auto(1.0, NEAR + friction(0.3)))
     ),
-    "beam-on-rigid": Reported("a cantilever bends onto a rigid cylinder", partial(beam, auto(1.0, NEAR), "rigid")),
-    "beam-on-soft": Reported("a cantilever bends onto a soft cylinder", partial(beam, auto(1.0, NEAR), "soft")),
-    "beam-on-soft-hex20-bfgs": Reported(
+    "beam-on-rigid": Drawn("a cantilever bends onto a rigid cylinder", partial(beam, auto(1.0, NEAR), "rigid")),
+    "beam-on-soft": Drawn("a cantilever bends onto a soft cylinder", partial(beam, auto(1.0, NEAR), "soft")),
+    "beam-on-soft-hex20-bfgs": Drawn(
         "a cantilever of hex20 bends onto a soft cylinder", partial(beam, auto(1.0, NEAR), "soft", "hex20")
     ),
-    "blown-on-rigid": Reported(
+    "blown-on-rigid": Drawn(
         "a pressure inflates a membrane against a rigid block", partial(blown, auto(1.0, NEAR), rigid())
     ),
-    "blown-on-soft": Reported(
+    "blown-on-soft": Drawn(
         "a pressure inflates a membrane against a soft block", partial(blown, auto(1.0, NEAR), neo(0.5))
     ),
-    "twist": Reported(
+    "twist": Drawn(
         "a rigid disc is pressed and turned, friction 0.3", partial(twist, auto(1.0, NEAR + friction(0.3)), neo(), 0.5)
     ),
-    "twist-hex20-augmented": Reported(
+    "twist-hex20-augmented": Drawn(
         "a rigid disc turns on hex20, augmented, friction 0.2",
         partial(twist, auglag(0.2, 0.1, NEAR + friction(0.2)), mooney(), 0.4, "hex20"),
     ),
-    "twist-frictionless": Reported(
+    "twist-frictionless": Drawn(
         "a rigid disc is pressed and turned by 90 degrees", partial(twist, auto(1.0, NEAR), neo(), 1.57)
     ),
-    "plug": Reported("a rigid cone is moved into a ring", partial(plug, auto(1.0, NEAR))),
-    "plug-friction": Reported(
+    "plug": Drawn("a rigid cone is moved into a ring", partial(plug, auto(1.0, NEAR))),
+    "plug-friction": Drawn(
         "a rigid cone is pulled into a ring by a force, friction 0.2, augmented",
         partial(plug, auglag(0.2, 0.1, NEAR + friction(0.2)), 0.3),
     ),
-    "plug-incompressible": Reported(
+    "plug-incompressible": Drawn(
         "a rigid cone in a nearly incompressible ring", partial(plug, auto(1.0, NEAR), 0.0, mooney(0.3, 0.0, 1000.0))
     ),
-    "arch-snaps": Reported("a rigid ball causes snap-through of an arch", partial(arch, auto(1.0, NEAR))),
-    "crushed": Reported("half a tube under a rigid roller", partial(crushed, auto(1.0, NEAR))),
-    "crushed-hex20": Reported("half a tube of hex20 under a rigid roller", partial(crushed, auto(1.0, NEAR), "hex20")),
+    "arch-snaps": Drawn("a rigid ball causes snap-through of an arch", partial(arch, auto(1.0, NEAR))),
+    "crushed": Drawn("half a tube under a rigid roller", partial(crushed, auto(1.0, NEAR))),
+    "crushed-hex20": Drawn("half a tube of hex20 under a rigid roller", partial(crushed, auto(1.0, NEAR), "hex20")),
 }
 """By name."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from studies.models.small import fixed
 from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, scaled, shell, shifted, turned
-from studies.synthetic_scenes.reported.sketch import USUAL, Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -168,67 +168,67 @@ class BetweenPlates:
         )
 
 
-SCENES: Mapping[str, Reported] = {
-    "cam": Reported("a rigid cam under a rigid follower", Cam(0.3)),
-    "cam-pointed": Reported("a rigid ellipse under a rigid follower", Cam(0.0, 1.4)),
-    "cam-augmented": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "cam": Drawn("a rigid cam under a rigid follower", Cam(0.3)),
+    "cam-pointed": Drawn("a rigid ellipse under a rigid follower", Cam(0.0, 1.4)),
+    "cam-augmented": Drawn(
         "a rigid cam under a rigid follower, augmented",
         Cam(0.3, params="<laugon>AUGLAG</laugon><tolerance>0.1</tolerance><penalty>10</penalty>"),
     ),
-    "cam-soft-follower": Reported("a rigid cam under a soft follower", Cam(0.2, 1.1, soft=True, params=auto(1.0))),
-    "punch-flat-tilts": Reported(
+    "cam-soft-follower": Drawn("a rigid cam under a soft follower", Cam(0.2, 1.1, soft=True, params=auto(1.0))),
+    "punch-flat-tilts": Drawn(
         "a flat rigid punch that may tilt, under a force", Punch(FLAT, (6, 6, 2), "z0", neo(), auto(1.0), True)
     ),
-    "punch-flat-block-first": Reported(
+    "punch-flat-block-first": Drawn(
         "a flat rigid punch, the block as primary surface",
         Punch(FLAT, (1, 1, 1), "z0", neo(), auto(1.0), primary=False),
     ),
-    "punch-round-ogden-augmented": Reported(
+    "punch-round-ogden-augmented": Drawn(
         "a rigid sphere on an Ogden block under a force, augmented",
         Punch(ROUND, (5, 5, 5), "z0", ogden(), auglag(1.0)),
     ),
-    "punch-round-ogden-augmented-outside": Reported(
+    "punch-round-ogden-augmented-outside": Drawn(
         "a rigid sphere on an Ogden block under a force, augmented, whole outside, the block as primary surface",
         Punch(ROUND, (5, 5, 5), "outside", ogden(), auglag(1.0), primary=False),
     ),
-    "punch-round-friction": Reported(
+    "punch-round-friction": Drawn(
         "a rigid sphere under a force, friction 0.4, AUGLAG with a small penalty",
         Punch(ROUND, (5, 5, 5), "z0", mooney(), auglag(0.1, 0.1, friction(0.4))),
     ),
-    "punch-incompressible-bfgs": Reported(
+    "punch-incompressible-bfgs": Drawn(
         "a rigid sphere on a block of Poisson's ratio 0.4999, BFGS",
         Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0), scheme=Scheme(updates=10)),
     ),
-    "punch-incompressible": Reported(
+    "punch-incompressible": Drawn(
         "a rigid sphere on a block of Poisson's ratio 0.4999, full Newton",
         Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0)),
     ),
-    "punch-mooney-stiff-bulk": Reported(
+    "punch-mooney-stiff-bulk": Drawn(
         "a flat punch on a Mooney-Rivlin block with a bulk modulus of 5000 times the shear modulus",
         Punch(FLAT, (6, 6, 2), "z0", mooney(0.2, 0.0, 2000.0), auto(1.0, TWO_PASS)),
     ),
-    "wheel-rolls": Reported("a rigid wheel rolls on a soft slab, friction 0.3", partial(wheel, 0.3)),
-    "plates-tet4": Reported(
+    "wheel-rolls": Drawn("a rigid wheel rolls on a soft slab, friction 0.3", partial(wheel, 0.3)),
+    "plates-tet4": Drawn(
         "soft tetrahedra between rigid plates, whole outside",
         BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5))),
     ),
-    "plates-tet4-bfgs": Reported(
+    "plates-tet4-bfgs": Drawn(
         "soft tetrahedra between rigid plates, whole outside, BFGS",
         BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5)), updates=10),
     ),
-    "plates-hex8-deep": Reported(
+    "plates-hex8-deep": Drawn(
         "soft hexahedra between rigid plates, squeezed by half",
         BetweenPlates(ogden(0.3, 2.0, 5.0), auto(1.0, radius(0.5)), "hex8", 0.5),
     ),
-    "plates-tet10-incompressible": Reported(
+    "plates-tet10-incompressible": Drawn(
         "tet10 of Poisson's ratio 0.499 between rigid plates",
         BetweenPlates(neo(1.0, 0.499), auto(1.0, radius(0.5)), "tet10", 0.2),
     ),
-    "plates-friction-augmented": Reported(
+    "plates-friction-augmented": Drawn(
         "a soft body between rigid plates, friction 0.3, AUGLAG with a small penalty",
         BetweenPlates(neo(1.0, 0.45), auglag(0.2, 0.1, radius(0.5) + friction(0.3)), "hex8", side="faces"),
     ),
-    "plates-biphasic": Reported(
+    "plates-biphasic": Drawn(
         "a porous body between rigid plates",
         BetweenPlates(
             biphasic(),

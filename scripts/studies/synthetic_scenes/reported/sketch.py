@@ -207,7 +207,7 @@ def _list(numbers: object) -> str:
 
 
 @dataclass(frozen=True)
-class Reported:
+class Drawn:
     """A scene that is drawn when it is written.
 
     Attributes
@@ -219,7 +219,7 @@ class Reported:
     """
 
     about: str
-    draw: Callable[[], Sketch]
+    draw: Callable[[], Sketch | Document]
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from studies.models.small import fixed, moved
 from studies.synthetic_scenes.reported.shapes import Place, arc, box, bulged, mapped, shifted, turned
-from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -108,40 +108,40 @@ class Groove:
         )
 
 
-SCENES: Mapping[str, Reported] = {
-    "mooney-slides-two-pass": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "mooney-slides-two-pass": Drawn(
         "Mooney-Rivlin blocks slide, two passes, a factor of 0.1", Blocks(mooney(), auto(0.1, TWO_PASS))
     ),
-    "mooney-slides-two-pass-bfgs": Reported(
+    "mooney-slides-two-pass-bfgs": Drawn(
         "Mooney-Rivlin blocks slide, two passes, a factor of 0.1, BFGS",
         Blocks(mooney(), auto(0.1, TWO_PASS), scheme=BFGS),
     ),
-    "mooney-slides-hex20": Reported("Mooney-Rivlin blocks of hex20", Blocks(mooney(), auto(1.0), "hex20")),
-    "ogden-slides": Reported("Ogden blocks slide", Blocks(ogden(), auto(1.0))),
-    "ogden-slides-friction-augmented": Reported(
+    "mooney-slides-hex20": Drawn("Mooney-Rivlin blocks of hex20", Blocks(mooney(), auto(1.0), "hex20")),
+    "ogden-slides": Drawn("Ogden blocks slide", Blocks(ogden(), auto(1.0))),
+    "ogden-slides-friction-augmented": Drawn(
         "Ogden blocks, friction 0.3, AUGLAG with a small penalty",
         Blocks(ogden(), auglag(0.1, 0.1, friction(0.3))),
     ),
-    "ogden-slides-to-and-fro": Reported(
+    "ogden-slides-to-and-fro": Drawn(
         "Ogden blocks slide back and forth, friction 0.2, two passes",
         Blocks(ogden(), auto(1.0, friction(0.2) + TWO_PASS), way=0.4, back=True),
     ),
-    "slides-over-the-edge": Reported(
+    "slides-over-the-edge": Drawn(
         "a block slides until half of it projects over an edge", Blocks(neo(), auto(2.0), way=1.9)
     ),
-    "slides-tet15": Reported("blocks of tet15 slide", Blocks(neo(), auto(1.0), "tet15")),
-    "slides-penta15": Reported("wedges of 15 nodes slide", Blocks(neo(), auto(1.0), "penta15")),
-    "slides-hex27-broyden": Reported(
+    "slides-tet15": Drawn("blocks of tet15 slide", Blocks(neo(), auto(1.0), "tet15")),
+    "slides-penta15": Drawn("wedges of 15 nodes slide", Blocks(neo(), auto(1.0), "penta15")),
+    "slides-hex27-broyden": Drawn(
         "blocks of hex27 slide, Broyden", Blocks(neo(), auto(1.0), "hex27", Scheme(20, method="Broyden", updates=10))
     ),
-    "slides-penta6-friction": Reported("wedges slide, friction 0.2", Blocks(neo(), auto(1.0, friction(0.2)), "penta6")),
-    "slides-tet4-friction-bfgs": Reported(
+    "slides-penta6-friction": Drawn("wedges slide, friction 0.2", Blocks(neo(), auto(1.0, friction(0.2)), "penta6")),
+    "slides-tet4-friction-bfgs": Drawn(
         "tetrahedra slide, friction 0.2, BFGS", Blocks(neo(), auto(1.0, friction(0.2)), "tet4", BFGS)
     ),
-    "round-slides-two-pass": Reported(
+    "round-slides-two-pass": Drawn(
         "a round face slides on a slab, two passes", Blocks(neo(), auto(1.0, TWO_PASS), round_face=0.2)
     ),
-    "round-drags-augmented-broyden": Reported(
+    "round-drags-augmented-broyden": Drawn(
         "a round face is pulled sideways, friction 0.015, augmented, Broyden, fixed steps",
         Blocks(
             neo(1.0, 0.0),
@@ -150,27 +150,27 @@ SCENES: Mapping[str, Reported] = {
             round_face=0.1,
         ),
     ),
-    "groove-two-pass": Reported(
+    "groove-two-pass": Drawn(
         "incongruent cylinders, two passes, numerical penalty", Groove(given(5.0, TWO_PASS + NEAR))
     ),
-    "groove-two-pass-slides": Reported(
+    "groove-two-pass-slides": Drawn(
         "incongruent cylinders slide, two passes, numerical penalty",
         Groove(given(5.0, TWO_PASS + NEAR), slides=True),
     ),
-    "groove-hex20": Reported("incongruent cylinders of hex20", Groove(auto(1.0, NEAR), "hex20")),
-    "groove-tet4-facets": Reported(
+    "groove-hex20": Drawn("incongruent cylinders of hex20", Groove(auto(1.0, NEAR), "hex20")),
+    "groove-tet4-facets": Drawn(
         "incongruent cylinders of tet4, sliding-facet-on-facet, the groove as primary surface",
         Groove(auto(0.3), "tet4", kind="sliding-facet-on-facet", primary="groove-x0"),
     ),
-    "groove-friction-augmented": Reported(
+    "groove-friction-augmented": Drawn(
         "incongruent cylinders slide, friction 0.3, AUGLAG with a small penalty, BFGS",
         Groove(auglag(0.2, 0.1, NEAR + friction(0.3)), slides=True, updates=10),
     ),
-    "groove-biphasic-two-pass": Reported(
+    "groove-biphasic-two-pass": Drawn(
         "incongruent porous cylinders, two passes",
         Groove(auto(1.0, TWO_PASS + NEAR + fluid(1.0)), kind="sliding-biphasic", porous=True),
     ),
-    "groove-biphasic-slides-augmented": Reported(
+    "groove-biphasic-slides-augmented": Drawn(
         "incongruent porous cylinders slide, two passes, AUGLAG with a small penalty, friction 0.1",
         Groove(
             auglag(0.2, 0.2, TWO_PASS + NEAR + fluid(0.2) + friction(0.1)),

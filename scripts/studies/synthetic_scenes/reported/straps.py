@@ -7,7 +7,7 @@ from functools import partial
 
 from studies.models.small import fixed, moved
 from studies.synthetic_scenes.reported.shapes import Shape, arc, ball, box, mapped, shell, shifted, turned
-from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import auto, given, hold, neo, press, push, radius, rigid, shift
 
 SKIN = neo(10.0)
@@ -110,35 +110,35 @@ def strip_on_bone(element: str, sides: tuple[str, str], updates: int = 0, penalt
     )
 
 
-SCENES: Mapping[str, Reported] = {
-    "strap-on-bone": Reported("a shell is pulled over a rigid cylinder", strap_on_bone),
-    "strap-on-bone-outside": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "strap-on-bone": Drawn("a shell is pulled over a rigid cylinder", strap_on_bone),
+    "strap-on-bone-outside": Drawn(
         "a shell is pulled over a rigid cylinder, whole outside", partial(strap_on_bone, "outside")
     ),
-    "strap-on-bone-tri3": Reported(
+    "strap-on-bone-tri3": Drawn(
         "a shell of triangles is pulled over a rigid cylinder", partial(strap_on_bone, element="tri3")
     ),
-    "strap-on-bone-unlimited": Reported(
+    "strap-on-bone-unlimited": Drawn(
         "a shell over a rigid cylinder, whole outside, sliding-facet-on-facet with unlimited search",
         partial(strap_on_bone, "outside", kind="sliding-facet-on-facet", params=auto(1.0, radius(0.0))),
     ),
-    "strap-on-two-bones": Reported("a shell over two rigid cylinders, whole outsides", partial(strap_on_two_bones, "")),
-    "strap-on-two-bones-near": Reported(
+    "strap-on-two-bones": Drawn("a shell over two rigid cylinders, whole outsides", partial(strap_on_two_bones, "")),
+    "strap-on-two-bones-near": Drawn(
         "a shell over two rigid cylinders, whole outsides, a search radius of an element",
         partial(strap_on_two_bones, radius(0.3)),
     ),
-    "ball-in-trampoline": Reported("a rigid ball in a shell held at its edges", ball_in_trampoline),
-    "ball-in-trampoline-ball-first": Reported(
+    "ball-in-trampoline": Drawn("a rigid ball in a shell held at its edges", ball_in_trampoline),
+    "ball-in-trampoline-ball-first": Drawn(
         "a rigid ball in a shell held at its edges, the ball as primary surface",
         partial(ball_in_trampoline, "ball-outside", "net-face"),
     ),
-    "rod-on-plate": Reported("a rigid rod under a force on a shell", rod_on_plate),
-    "shells-on-shells": Reported("a shell is pressed onto a shell", shells_on_shells),
-    "strip-on-bone": Reported("a strip of hex8 over a rigid cylinder", partial(strip_on_bone, "hex8", ("z0", "x1"))),
-    "strip-on-bone-outsides": Reported(
+    "rod-on-plate": Drawn("a rigid rod under a force on a shell", rod_on_plate),
+    "shells-on-shells": Drawn("a shell is pressed onto a shell", shells_on_shells),
+    "strip-on-bone": Drawn("a strip of hex8 over a rigid cylinder", partial(strip_on_bone, "hex8", ("z0", "x1"))),
+    "strip-on-bone-outsides": Drawn(
         "a strip of hex8 over a rigid cylinder, whole outsides", partial(strip_on_bone, "hex8", ("outside", "outside"))
     ),
-    "strip-on-bone-tet10": Reported(
+    "strip-on-bone-tet10": Drawn(
         "a strip of tet10 over a rigid cylinder, numerical penalty",
         partial(strip_on_bone, "tet10", ("z0", "x1"), 0, given(20.0, radius(0.5))),
     ),

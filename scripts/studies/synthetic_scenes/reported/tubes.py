@@ -8,7 +8,7 @@ from functools import partial
 
 from studies.models.small import fixed, moved
 from studies.synthetic_scenes.reported.shapes import arc, mapped, shifted, turned
-from studies.synthetic_scenes.reported.sketch import Reported, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -115,54 +115,52 @@ class Crossed:
         )
 
 
-SCENES: Mapping[str, Reported] = {
-    "rod-in-tube": Reported("a rod pressed against the inside of a tube", RodInTube()),
-    "rod-in-tube-outsides": Reported(
+SCENES: Mapping[str, Drawn] = {
+    "rod-in-tube": Drawn("a rod pressed against the inside of a tube", RodInTube()),
+    "rod-in-tube-outsides": Drawn(
         "a rod pressed against the inside of a tube, whole outsides", RodInTube(("outside", "outside"))
     ),
-    "rod-in-tube-tet10": Reported("a rod in a tube, tet10", RodInTube(element="tet10")),
-    "rod-in-tube-friction": Reported(
+    "rod-in-tube-tet10": Drawn("a rod in a tube, tet10", RodInTube(element="tet10")),
+    "rod-in-tube-friction": Drawn(
         "a rod is pressed and pulled along the tube, friction 0.2",
         RodInTube(params=auto(2.0, NEAR + friction(0.2)), slides=True),
     ),
-    "rod-in-tube-two-pass-bfgs": Reported(
+    "rod-in-tube-two-pass-bfgs": Drawn(
         "a rod is pulled along a tube, two passes, BFGS",
         RodInTube(params=auto(1.0, NEAR + TWO_PASS), slides=True, updates=10),
     ),
-    "press-fit": Reported(
-        "a rod that is wider than its tube at the start", RodInTube(outer=1.05, params=auto(1.0, NEAR))
-    ),
-    "rigid-rod-in-tube": Reported(
+    "press-fit": Drawn("a rod that is wider than its tube at the start", RodInTube(outer=1.05, params=auto(1.0, NEAR))),
+    "rigid-rod-in-tube": Drawn(
         "a rigid rod under a force in a soft tube", partial(rigid_rod_in_tube, "tube-x0", "rod-x1")
     ),
-    "rigid-rod-in-tube-outsides": Reported(
+    "rigid-rod-in-tube-outsides": Drawn(
         "a rigid rod under a force in a soft tube, whole outsides",
         partial(rigid_rod_in_tube, "tube-outside", "rod-outside"),
     ),
-    "ring-grows": Reported("a ring expands against a tube", partial(ring_grows, auto(1.0, NEAR))),
-    "ring-grows-augmented-bfgs": Reported(
+    "ring-grows": Drawn("a ring expands against a tube", partial(ring_grows, auto(1.0, NEAR))),
+    "ring-grows-augmented-bfgs": Drawn(
         "a ring expands against a tube, AUGLAG with a small penalty, BFGS",
         partial(ring_grows, auglag(0.2, 0.1, NEAR), 10),
     ),
-    "crossed-tubes-two-pass": Reported(
+    "crossed-tubes-two-pass": Drawn(
         "crossed Mooney-Rivlin tubes, two passes, numerical penalty",
         Crossed(mooney(), given(5.0, TWO_PASS + NEAR)),
     ),
-    "crossed-tubes-two-pass-bfgs": Reported(
+    "crossed-tubes-two-pass-bfgs": Drawn(
         "crossed Mooney-Rivlin tubes, two passes, numerical penalty, BFGS",
         Crossed(mooney(), given(5.0, TWO_PASS + NEAR), updates=10),
     ),
-    "crossed-tubes-ogden": Reported("crossed Ogden tubes", Crossed(ogden(), auto(1.0, NEAR))),
-    "crossed-tubes-tet10": Reported("crossed tubes of tet10", Crossed(neo(), auto(1.0, NEAR), "tet10")),
-    "crossed-tubes-friction-augmented": Reported(
+    "crossed-tubes-ogden": Drawn("crossed Ogden tubes", Crossed(ogden(), auto(1.0, NEAR))),
+    "crossed-tubes-tet10": Drawn("crossed tubes of tet10", Crossed(neo(), auto(1.0, NEAR), "tet10")),
+    "crossed-tubes-friction-augmented": Drawn(
         "crossed tubes slide, friction 0.2, AUGLAG with a small penalty",
         Crossed(mooney(), auglag(0.2, 0.1, NEAR + friction(0.2)), slides=True),
     ),
-    "crossed-tubes-outsides": Reported(
+    "crossed-tubes-outsides": Drawn(
         "crossed tubes, whole outsides, including the insides",
         Crossed(mooney(), auto(1.0, NEAR), side="outside"),
     ),
-    "crossed-tubes-two-pass-deep": Reported(
+    "crossed-tubes-two-pass-deep": Drawn(
         "crossed Mooney-Rivlin tubes, two passes, pressed flat",
         Crossed(mooney(), auto(1.0, TWO_PASS + NEAR), depth=0.9),
     ),
