@@ -13,9 +13,8 @@ from harness.conversion.fates import Action
 from harness.conversion.tied_contacts import DROPPED
 from harness.errors import ModelError
 from harness.preflight.check import check
-from harness.preflight.contact_types import STICKY
+from harness.preflight.contact_types import ANY_DISTANCE, CONVERTIBLE_TIES, STICKY, TIED_TYPES
 from harness.preflight.finding import Severity
-from harness.preflight.tied_types import ANY_DISTANCE, CONVERTIBLE_TIES, TIED_TYPES
 from studies.models.small import Document, biphasic, contact, elastic, fixed, rigid
 
 

@@ -26,13 +26,12 @@ from harness.preflight import model as models
 from harness.preflight import xml_file as documents
 from harness.preflight.byte_spans import Place, Span
 from harness.preflight.check import check
-from harness.preflight.contact_types import CONVERTIBLE, MIXTURE, TIED, TYPES
+from harness.preflight.contact_types import CONVERTIBLE, CONVERTIBLE_TIES, MIXTURE, TIED, TIED_TYPES, TYPES
 from harness.preflight.finding import Severity
 from harness.preflight.formats.rewriting import OLD_NAMES
 from harness.preflight.levels import prescribed_nodes
 from harness.preflight.model import Model
 from harness.preflight.sides import Joint
-from harness.preflight.tied_types import CONVERTIBLE_TIES, TIED_TYPES
 
 NOT_OURS = {
     "concentration gap": "contact solute jump",

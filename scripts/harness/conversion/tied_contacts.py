@@ -10,9 +10,8 @@ from harness.conversion import spans
 from harness.conversion.fates import NO_DIFFERENCE, Action, Change, is_zero
 from harness.conversion.spans import Edit
 from harness.preflight.byte_spans import Span
-from harness.preflight.contact_types import STICKY
+from harness.preflight.contact_types import ANY_DISTANCE, STICKY, keeps_gaps
 from harness.preflight.sides import SIDES, Joint
-from harness.preflight.tied_types import ANY_DISTANCE, keeps_gaps
 
 TOUCHING = 1e-6
 """Gap over the width of the facets below which surfaces touch."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -50,44 +49,30 @@ def draw_fields(result: RunResult, path: Path) -> Path:
     return path
 
 
-@dataclass(frozen=True)
-class _Panel:
-    """One pair of axes: its label and the curves in it."""
-
-    label: str
-    curves: tuple[tuple[str, Array], ...]
-
-
 def draw_curves(curves: Curves, path: Path) -> Path:
     """Force, half-width, contents and outflow, extremes, over time from the first step on."""
-    panels = (
-        _Panel("force [N]", (("", curves.force),)),
-        _Panel("contact half-width [mm]", (("", curves.half_width),)),
-        _Panel(
-            "solute [nmol]",
-            (
-                ("slab", curves.slab),
-                ("cylinder", curves.cylinder),
-                ("outflow", curves.outflow),
-                ("sum", curves.slab + curves.cylinder + curves.outflow),
-            ),
-        ),
-        _Panel(r"$\tilde c$ [mM]", (("largest", curves.highest), ("smallest", curves.lowest))),
-    )
+    total = curves.slab + curves.cylinder + curves.outflow
+    contents = {"slab": curves.slab, "cylinder": curves.cylinder, "outflow": curves.outflow, "sum": total}
+    panels = {
+        "force [N]": {"": curves.force},
+        "contact half-width [mm]": {"": curves.half_width},
+        "solute [nmol]": contents,
+        r"$\tilde c$ [mM]": {"largest": curves.highest, "smallest": curves.lowest},
+    }
     figure = Figure(figsize=(9.6, 6.2), layout="constrained")
-    for axes, panel in zip(figure.subplots(2, 2, sharex=True).ravel(), panels, strict=True):
-        _panel(axes, curves.times, panel)
+    for axes, (label, lines) in zip(figure.subplots(2, 2, sharex=True).ravel(), panels.items(), strict=True):
+        _panel(axes, curves.times, label, lines)
     figure.savefig(path, dpi=160)
     return path
 
 
-def _panel(axes: Axes, times: Array, panel: _Panel) -> None:
-    for (name, values), colour in zip(panel.curves, COLOURS, strict=False):
+def _panel(axes: Axes, times: Array, label: str, lines: dict[str, Array]) -> None:
+    for (name, values), colour in zip(lines.items(), COLOURS, strict=False):
         axes.plot(times[1:], values[1:], color=colour, linewidth=1.4, label=name)
     axes.set_xscale("log")
     axes.set_xlabel("time [s]")
-    axes.set_ylabel(panel.label)
+    axes.set_ylabel(label)
     axes.axvline(1.0, color="0.8", linewidth=0.8, zorder=0)
     axes.spines[["top", "right"]].set_visible(False)
-    if len(panel.curves) > 1:
+    if len(lines) > 1:
         axes.legend(fontsize=8, frameon=False)

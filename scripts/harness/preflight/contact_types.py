@@ -15,10 +15,11 @@ _COMMON = ("laugon", "tolerance", "gaptol", "penalty", "auto_penalty", "update_p
 _SEARCH = ("search_tol", "search_radius", "seg_up", "minaug", "maxaug", "node_reloc", "smooth_aug")
 _HIDDEN = ("penalty_sf", "max_penalty_sf")
 _SOLVENT = ("ptol", "pressure_penalty")
-_SOLUTE = ("ctol", "concentration_penalty", "ambient_pressure", "ambient_concentration")
+_SOLUTE = ("ctol", "concentration_penalty")
 _FRICTION = ("fric_coeff", "contact_frac", "smooth_fls")
 _SHELLS = ("flip_primary", "flip_secondary", "shell_bottom_primary", "shell_bottom_secondary")
 _BASE = (*_COMMON, *_SEARCH, *_HIDDEN)
+_SLIDING = (*_BASE, "symmetric_stiffness")
 
 
 @dataclass(frozen=True)
@@ -33,15 +34,21 @@ class ContactType:
         FEBio's module that brings it; empty where every module has it.
     parameters : frozenset of str
         Its parameters, the hidden ones too.
-    solvent, solutes : bool
-        Whether it exchanges them.
     """
 
     name: str
     home: str
     parameters: frozenset[str]
-    solvent: bool = False
-    solutes: bool = False
+
+    @property
+    def solvent(self) -> bool:
+        """Whether it exchanges solvent."""
+        return "pressure_penalty" in self.parameters
+
+    @property
+    def solutes(self) -> bool:
+        """Whether it exchanges solutes."""
+        return "concentration_penalty" in self.parameters
 
     @property
     def is_mixture(self) -> bool:
@@ -87,27 +94,28 @@ def _of_plugin(name: str) -> frozenset[str]:
     return frozenset([parameter.name for parameter in PLUGIN_TYPES[name]]).union(_HIDDEN)
 
 
-def _febio(name: str, home: str, *more: str, solvent: bool = False, solutes: bool = False) -> ContactType:
-    return ContactType(name, home, frozenset((*_BASE, "symmetric_stiffness", *more)), solvent, solutes)
+def _type(name: str, home: str, *parameters: str) -> ContactType:
+    return ContactType(name, home, frozenset(parameters))
 
 
 UNLIMITED_SEARCH = ("sliding-facet-on-facet", "sliding-node-on-facet")
 """The types whose search has no limit where the radius is 0, which is their default."""
 _NODE_ON_FACET = (set(_BASE) - {"smooth_aug"}) | {"fric_coeff", "fric_penalty", "ktmult"}
-_FACET_ON_FACET = set(_BASE) | {"dxtol", "fric_coeff", "fric_penalty"}
+
+_CONVECTIVE = (*_SLIDING, *_SOLVENT, *_SOLUTE, "ambient_pressure", "ambient_concentration")
 
 TYPES = {
     known.name: known
     for known in (
-        ContactType(MIXTURE, "", _of_plugin(MIXTURE), solvent=True, solutes=True),
-        _febio("sliding-elastic", "solid", *_SHELLS, "tension", "offset", "fric_coeff"),
-        _febio("sliding-biphasic", "biphasic", *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
-        _febio("sliding-biphasic-mixed", "biphasic", *_SOLVENT, *_FRICTION, *_SHELLS, solvent=True),
-        _febio("sliding2", "biphasic", *_SOLVENT, "dual_proj", solvent=True),
-        _febio("sliding-biphasic-solute", "solute", *_SOLVENT, *_SOLUTE, solvent=True, solutes=True),
-        _febio("sliding-multiphasic", "multiphasic", *_SOLVENT, *_SOLUTE, *_FRICTION, solvent=True, solutes=True),
-        ContactType("sliding-node-on-facet", "solid", frozenset(_NODE_ON_FACET)),
-        ContactType("sliding-facet-on-facet", "solid", frozenset(_FACET_ON_FACET)),
+        ContactType(MIXTURE, "", _of_plugin(MIXTURE)),
+        _type("sliding-elastic", "solid", *_SLIDING, *_SHELLS, "tension", "offset", "fric_coeff"),
+        _type("sliding-biphasic", "biphasic", *_SLIDING, *_SOLVENT, *_FRICTION, *_SHELLS),
+        _type("sliding-biphasic-mixed", "biphasic", *_SLIDING, *_SOLVENT, *_FRICTION, *_SHELLS),
+        _type("sliding2", "biphasic", *_SLIDING, *_SOLVENT, "dual_proj"),
+        _type("sliding-biphasic-solute", "solute", *_CONVECTIVE),
+        _type("sliding-multiphasic", "multiphasic", *_CONVECTIVE, *_FRICTION),
+        _type("sliding-node-on-facet", "solid", *_NODE_ON_FACET),
+        _type("sliding-facet-on-facet", "solid", *_BASE, "dxtol", "fric_coeff", "fric_penalty"),
     )
 }
 """Every sliding type, by its name in a model file."""
@@ -123,3 +131,35 @@ CONVERTIBLE = (
     "sliding-node-on-facet",
 )
 """The types of FEBio's that `sliding-mixture` takes the place of."""
+
+_ENFORCED = ("laugon", "tolerance", "penalty", "minaug", "maxaug")
+_AUTOMATIC = (*_ENFORCED, "gaptol", "auto_penalty", "update_penalty", "search_tol", "search_radius")
+_TIED = (*_AUTOMATIC, "two_pass", "knmult", "symmetric_stiffness")
+_OLD_TIE = (*_ENFORCED, "search_tolerance")
+
+TIED_TYPES = {
+    known.name: known
+    for known in (
+        _type(TIED, "", *(parameter.name for parameter in PLUGIN_TYPES[TIED])),
+        _type("tied-elastic", "solid", *_TIED, "flip_primary", "flip_secondary"),
+        _type("tied-biphasic", "biphasic", *_TIED, *_SOLVENT),
+        _type("tied-multiphasic", "multiphasic", *_TIED, *_SOLVENT, *_SOLUTE),
+        _type("tied-node-on-facet", "solid", *_OLD_TIE, "offset_shells", "max_distance", "special", "node_reloc"),
+        _type("tied-facet-on-facet", "solid", *_OLD_TIE, "gap_offset"),
+        _type(STICKY, "solid", *_OLD_TIE, "gap_offset", "flip_secondary", "max_traction", "snap_tol"),
+    )
+}
+"""Every tied type, by its name in a model file."""
+
+CONVERTIBLE_TIES = tuple(name for name in TIED_TYPES if name != TIED)
+"""The types of FEBio's that `tied-mixture` takes the place of."""
+ANY_DISTANCE = ("tied-node-on-facet", "tied-facet-on-facet", STICKY)
+"""The types that look for the closest point, at any distance where none is given."""
+
+
+def keeps_gaps(kind: ContactType, *, has_offset: bool) -> bool:
+    """Whether a type of FEBio's leaves an initial gap as it is; the others draw the surfaces together.
+
+    `has_offset`: <gap_offset> is on.
+    """
+    return kind.name not in ANY_DISTANCE or (kind.name == "tied-facet-on-facet" and has_offset)

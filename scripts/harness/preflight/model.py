@@ -14,12 +14,11 @@ from numpy.typing import NDArray
 from harness.errors import ModelError
 from harness.preflight import materials, mesh_section
 from harness.preflight import xml_file as documents
-from harness.preflight.contact_types import MIXTURE, TYPES, ContactType
+from harness.preflight.contact_types import MIXTURE, TIED_TYPES, TYPES, ContactType
 from harness.preflight.formats import newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
 from harness.preflight.plugin_types import PLUGIN_TYPES
-from harness.preflight.tied_types import TIED_TYPES
 from harness.preflight.xml_file import (
     AS_THEY_ARE,
     Contents,

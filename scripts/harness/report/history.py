@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,15 +51,6 @@ class Contact:
     flows: dict[str, Floats]
 
 
-@dataclass(frozen=True)
-class _Instant:
-    force: float
-    area: float
-    peak: float
-    mean: float
-    fluid_share: float
-
-
 def contacts(plot: PlotFile) -> list[Contact]:
     """Surfaces that bear a contact pressure at some time, with their histories.
 
@@ -74,8 +65,8 @@ def _contact(plot: PlotFile, place: int) -> Contact:
     surface = plot.surfaces[place]
     instants = [_instant(plot, state, place) for state in plot.states]
     time = np.array([state.time for state in plot.states])
-    arrays = {field.name: np.array([getattr(each, field.name) for each in instants]) for field in fields(_Instant)}
-    return Contact(surface, place, time, **arrays, flows=_flows(plot, place, time))
+    force, area, peak, mean, share = np.array(instants).T
+    return Contact(surface, place, time, force, area, peak, mean, share, _flows(plot, place, time))
 
 
 def pressures(state: State, surface: Surface, place: int) -> Floats:
@@ -84,7 +75,8 @@ def pressures(state: State, surface: Surface, place: int) -> Floats:
     return np.zeros(len(surface.facets)) if values is None else surface.at_facets(values)[:, 0]
 
 
-def _instant(plot: PlotFile, state: State, place: int) -> _Instant:
+def _instant(plot: PlotFile, state: State, place: int) -> tuple[float, float, float, float, float]:
+    """Force, area, largest and mean pressure, and the share of the fluid, as in `Contact`."""
     surface = plot.surfaces[place]
     vectors = surface.area_vectors(plot.positions(state))
     areas = np.linalg.norm(vectors, axis=1)
@@ -92,13 +84,9 @@ def _instant(plot: PlotFile, state: State, place: int) -> _Instant:
     loaded = pressure > 0
     normal_force = float(pressure @ areas)
     area = float(areas[loaded].sum())
-    return _Instant(
-        force=_force(state, place, pressure, vectors),
-        area=area,
-        peak=float(pressure.max(initial=0.0)),
-        mean=normal_force / area if area > 0 else 0.0,
-        fluid_share=_fluid_share(state, surface, areas * loaded, normal_force),
-    )
+    share = _fluid_share(state, surface, areas * loaded, normal_force)
+    mean = normal_force / area if area > 0 else 0.0
+    return _force(state, place, pressure, vectors), area, float(pressure.max(initial=0.0)), mean, share
 
 
 def _force(state: State, place: int, pressure: Floats, vectors: Floats) -> float:

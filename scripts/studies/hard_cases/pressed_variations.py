@@ -19,6 +19,8 @@ from studies.hard_cases.invariants import INVARIANT
 from studies.hard_cases.press import Press
 from studies.hard_cases.scene import NEWTON, Interface
 
+SETTLED = 500
+"""Steps of `Steady` after which nothing moves."""
 SPLIT = NEWTON
 """Largest difference of the split body from its reference, relative to the largest value of a variable."""
 
@@ -113,11 +115,9 @@ class Restarted(Press):
 class Steady(Press):
     """Many steps at a constant state."""
 
-    settled: int = 500
-
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
-        """Whatever moves after the first `settled` steps, relative to the largest value of each variable."""
-        early = slice(self.settled, self.settled + 1)
+        """Whatever moves after the first `SETTLED` steps, relative to the largest value of each variable."""
+        early = slice(SETTLED, SETTLED + 1)
         change = variants.difference(run, run.nodes.values[early], run.nodes.times[early])
         return [*super().check(run, rerun), Measure("change at constant state, relative", change, INVARIANT)]
 

@@ -9,13 +9,12 @@ import numpy as np
 
 from harness.arrays import Array
 from harness.preflight import rays
-from harness.preflight.contact_types import STICKY, TIED
+from harness.preflight.contact_types import ANY_DISTANCE, STICKY, TIED
 from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
 from harness.preflight.rules import cohesive, settings, surfaces
 from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
-from harness.preflight.tied_types import ANY_DISTANCE
 from harness.preflight.xml_file import children
 
 ITERATIVE = (*settings.ITERATIVE_SOLVERS, "cg", "hypre_pcg_amg")
