@@ -39,7 +39,7 @@ SMALL = {
     "scripts/mixcontact docs": "test -f {root}/mkdocs.yml && grep -q 'scripts/mixcontact docs' {root}/.ci/run",
     "cmake --preset default": "cmake -S {root} --preset default -B configured -DMIXCONTACT_BUILD_PLUGIN=OFF",
     "cmake --build --preset default": "cmake --build {build}",
-    "ctest --preset default": "ctest --test-dir {build} --no-tests=error -R laws",
+    "ctest --preset default": "ctest --test-dir {build} --no-tests=error -R friction",
     "scripts/mixcontact archive": "cpack --config {build}/CPackConfig.cmake -B packed",
     # Without installing Snakemake: the same command of the harness, or its help where it would make many runs.
     "scripts/mixcontact cost --error 1e-3": "{harness} cost --error 1e-3",
