@@ -79,7 +79,7 @@ void Border::add_columns(const SolveAll& solve, const std::vector<Condition>& co
       for (const Condition::Entry& entry : (*next)->column) rights(entry.equation, n) += entry.value;
       places_[(*next)->key] = {columns_.size(), n};
     }
-    columns_.push_back(solve(std::move(rights))(kept_, Eigen::all));
+    columns_.emplace_back(solve(std::move(rights))(kept_, Eigen::all));
   }
 }
 

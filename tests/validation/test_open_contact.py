@@ -36,7 +36,7 @@ def _run(folder, gap: float, pressure: float, boundary=()):
 
 
 def test_an_open_contact_that_should_hold_a_body_is_named(runner, tmp_path):
-    found = _run(tmp_path, gap=0.05, pressure=0.01)
+    found = _run(tmp_path, gap=0.1, pressure=0.01)
     assert not found.report.normal
     assert found.output.count(SAID) == 1
     assert '"joint"' in found.output.split(SAID)[0][-60:]

@@ -54,6 +54,14 @@ std::vector<double> solution(const SolveAll& solve, const std::vector<double>& r
   return as_std(solve(as_vector(right)));
 }
 
+/// The solution for one right-hand side with these conditions, or without them if they cannot be met. `free`: solution
+/// without them.
+std::vector<double> solution_with(const std::vector<Condition>& conditions, Border& border, const SolveAll& solve,
+                                  std::vector<double> right, std::vector<double> free) {
+  if (conditions.empty() || !border.hold(solve, conditions, free, right)) return free;
+  return solution(solve, right);
+}
+
 }  // namespace
 
 void KeptMatrix::formed(const MatrixParts& parts) {
@@ -78,7 +86,7 @@ std::optional<Answer> KeptMatrix::answer(const std::vector<Condition>& condition
 
 void KeptMatrix::hold(const std::vector<Condition>& conditions, const MatrixParts& parts, Answer answer) {
   const auto solve_with_conditions = [&](const std::vector<double>& right) {
-    return solution_with(conditions, right, solution(solve_all(), right));
+    return solution_with(conditions, border_, solve_all(), right, solution(solve_all(), right));
   };
   finish(split_near(split_, std::move(answer.x), solve_with_conditions, parts, system_.solver().vectors().residual,
                     left_by_sweeps),
@@ -168,12 +176,6 @@ std::vector<double> KeptMatrix::checked_solution(const std::vector<double>& righ
   return solution(solve_all(), right);
 }
 
-std::vector<double> KeptMatrix::solution_with(const std::vector<Condition>& conditions, std::vector<double> right,
-                                              std::vector<double> free) {
-  if (conditions.empty() || !border_.hold(solve_all(), conditions, free, right)) return free;
-  return solution(solve_all(), right);
-}
-
 void KeptMatrix::undo_operations() {
   const MatrixRows rows(system_.matrix());
   for (const RowOperation& operation : std::exchange(operations_, {})) rows.undo(operation);
@@ -193,7 +195,7 @@ void KeptMatrix::prepare(const std::vector<Condition>& conditions, const MatrixP
     return std::exchange(is_checked, true) ? solution(solve_all(), each) : checked_solution(each);
   };
   const auto solve_with_conditions = [&](const std::vector<double>& each) {
-    return solution_with(conditions, each, solve(each));
+    return solution_with(conditions, border_, solve_all(), each, solve(each));
   };
   const bool solves_anyway = !are_empty(parts) || !conditions.empty();
   if (!operations_.empty() && !solves_anyway) free_ = solve(right);  // solved only to check the row operations

@@ -102,10 +102,6 @@ class KeptMatrix {
   /// The solution for a right-hand side to which the row operations have not been applied. If row operations have
   /// caused inaccurate pivots, it restores the rows of the matrix and solves again.
   std::vector<double> checked_solution(const std::vector<double>& right);
-  /// The solution with these conditions, or without them if they cannot be met. `free`: solution for `right` without
-  /// them.
-  std::vector<double> solution_with(const std::vector<Condition>& conditions, std::vector<double> right,
-                                    std::vector<double> free);
   /// Reverses the row operations of this matrix, allows none for later matrices, and logs this once.
   void undo_operations();
   /// Makes later matrices include the deferred parts, and logs this once.
