@@ -17,10 +17,6 @@ namespace {
 /// hardly falls, and the memory grows.
 constexpr std::ptrdiff_t most_together = 16;
 
-Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
-  return {values.data(), indexing::number_of(values)};
-}
-
 void add(double factor, const std::vector<Condition::Entry>& entries, std::vector<double>& values) {
   for (const Condition::Entry& entry : entries) at(values, entry.equation) += factor * entry.value;
 }

@@ -16,10 +16,6 @@ constexpr double least_reduction = 0.5;
 
 using Eigen::VectorXd;
 
-VectorXd as_vector(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), indexing::number_of(values));
-}
-
 std::vector<double> difference(const std::vector<double>& one, const std::vector<double>& other) {
   std::vector<double> result(one.size());
   std::transform(one.begin(), one.end(), other.begin(), result.begin(), std::minus<>());

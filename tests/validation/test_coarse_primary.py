@@ -17,6 +17,8 @@ pytestmark = pytest.mark.mixture_only
 
 TRAVEL = 0.12
 """Of the plate, mm."""
+DTOL = 1e-3
+"""FEBio's tolerance of displacements: the nodes of the ball have the same conditions with either side as primary."""
 
 
 def _displacements(folder, primary: str, secondary: str):
@@ -42,4 +44,4 @@ def _displacements(folder, primary: str, secondary: str):
 def test_a_plate_of_one_facet_bears_the_same_load_on_either_side(runner, tmp_path, plate):
     fine = _displacements(tmp_path, "ball-outside", plate)
     coarse = _displacements(tmp_path, plate, "ball-outside")
-    assert np.abs(coarse - fine).max() < 0.05 * np.abs(fine).max()
+    assert np.abs(coarse - fine).max() < DTOL * np.abs(fine).max()

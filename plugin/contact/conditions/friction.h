@@ -8,8 +8,7 @@
 
 namespace mixture_contact {
 
-/// The result of `frictionless` or of `with_friction`, by the tangential condition of a contact. No other function
-/// makes this choice.
+/// The result of `frictionless` or of `with_friction`, by the tangential condition of a contact.
 template <class Result, class Frictionless, class WithFriction>
 Result by_friction(FrictionKind kind, const Frictionless& frictionless, const WithFriction& with_friction) {
   if (kind == FrictionKind::none) return frictionless();
@@ -18,7 +17,7 @@ Result by_friction(FrictionKind kind, const Frictionless& frictionless, const Wi
 
 /// The number of tangential conditions at a node: 1 with friction, 0 without or while no tractions are exchanged.
 inline Index tangential_conditions(const Effects& effects) {
-  return effects.acting_friction() == FrictionKind::none ? 0 : 1;
+  return by_friction<Index>(effects.acting_friction(), [] { return 0; }, [] { return 1; });
 }
 
 /// The friction bound T_max and its derivatives.

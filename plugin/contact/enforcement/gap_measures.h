@@ -19,7 +19,7 @@ struct FieldGap {
 struct GapReport {
   FieldGap traction;
   IndexedVector<FieldGap> flux;
-  IndexedVector<FieldGap> slip = {};  // NOLINT(readability-redundant-member-init): lists may leave it out
+  IndexedVector<FieldGap> slip;
 };
 
 /// The larger of two values; NaN if one of them is NaN, such that a failed evaluation never counts as converged.

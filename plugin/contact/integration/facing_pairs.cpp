@@ -78,11 +78,7 @@ void FacingPairs::keep(FacetPairs found, const FacingPositions& x) {
   }
   first_kept_ = first_points(pairs(), [&](const FacetPair& pair) { return !has_moments(pair); });
   const Index kept = first_kept_.back();
-  if (kinematics_.count() < kept) {
-    kinematics_.clear();  // evaluate_all() sets all
-    kinematics_.reserve(indexing::entries(kept));
-    kinematics_.resize(indexing::entries(kept));
-  }
+  if (kinematics_.count() < kept) kinematics_ = IndexedVector<PointKinematics>(kept);
   const bool has_flat = kept < found_.points().count();
   if (has_flat && flat_.count() < pairs().count()) flat_.resize(pairs().size());
   evaluate_all(x);

@@ -43,10 +43,6 @@ constexpr double remembered = 0.5;
 /// displacements, as with penalties of 1e5 times the stiffness of the bodies, the error of the load is 1e-4.
 constexpr double largest_backward_error = 1e-9;
 
-Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
-  return {values.data(), indexing::number_of(values)};
-}
-
 std::vector<double> as_std(const Eigen::Ref<const Eigen::VectorXd>& values) { return {values.begin(), values.end()}; }
 
 /// The solution for one right-hand side.

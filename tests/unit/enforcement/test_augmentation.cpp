@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(nothing_in_contact_is_converged) {
 
 BOOST_AUTO_TEST_CASE(each_tolerance_guards_its_own_field) {
   const Effects effects = effects_of(true, 1);
-  const GapReport report{{0.1, 1}, {{0.2, 2}, {0.3, 3}}};
+  const GapReport report{{0.1, 1}, {{0.2, 2}, {0.3, 3}}, {}};
   BOOST_TEST(meets(report, {off, off, off, {}}, effects));
   BOOST_TEST(meets(report, {{0.1, 1}, {0.2, 2}, {0.3, 3}, {}}, effects));
   BOOST_TEST(!meets(report, {{0.09, 0}, off, off, {}}, effects));
@@ -373,8 +373,8 @@ BOOST_AUTO_TEST_CASE(each_tolerance_guards_its_own_field) {
 
 BOOST_AUTO_TEST_CASE(a_gap_that_is_not_a_number_is_never_converged) {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-  BOOST_TEST(!meets({{not_a_number, 0}, {}}, {{1e-3, 0}, off, off, {}}, effects_of(false, 0)));
-  BOOST_TEST(!meets({{0, 0}, {{0, not_a_number}}}, {off, off, {0, 1}, {}}, effects_of(false, 1)));
+  BOOST_TEST(!meets({{not_a_number, 0}, {}, {}}, {{1e-3, 0}, off, off, {}}, effects_of(false, 0)));
+  BOOST_TEST(!meets({{0, 0}, {{0, not_a_number}}, {}}, {off, off, {0, 1}, {}}, effects_of(false, 1)));
 }
 
 BOOST_AUTO_TEST_CASE(fields_that_are_not_numbers_are_never_converged) {
