@@ -17,7 +17,7 @@ using Solve = std::function<std::vector<double>(const std::vector<double>& right
 /// one after the other.
 using SolveAll = std::function<Eigen::MatrixXd(Eigen::MatrixXd rights)>;
 
-/// The same values for Eigen.
+/// A view of values for Eigen, without a copy.
 inline Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
   return {values.data(), indexing::number_of(values)};
 }
