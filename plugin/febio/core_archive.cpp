@@ -90,4 +90,5 @@ void archive_state(DumpStream& ar, ContactInterface::State& state) {
   state.faced.resize(indexing::entries(passes));
   for (NodeFlags& faced : state.faced) archive_flags(ar, faced);
   for (Matrix3Xd& position : state.slips_from) archive(ar, position);
+  archive(ar, state.overlap);
 }

@@ -132,7 +132,7 @@ struct GapRule {
 /// Distances of the search for the other surface.
 struct SearchRule {
   /// Largest gap or overlap at which facets are paired [mm]; 0: chosen by reach_of(). Within a step, overlaps may
-  /// exceed a given radius by the motion of the step.
+  /// exceed a given radius by the motion of the step, and by the deepest overlap of the last accepted state.
   double radius = 0;
   /// Distance outside a facet up to which a projection is accepted, in parametric coordinates [-].
   double tolerance = 0.01;

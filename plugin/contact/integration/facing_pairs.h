@@ -120,6 +120,10 @@ class FacingPairs {
 /// The patch of a pair: the nodes of both facets with their displacements and exchanged fields.
 Patch patch_of(const FacingPairs& facing, const FacetPair& pair);
 
+/// The deepest overlap of points at these positions, over the pairs with a primary node among the given ones [length];
+/// 0 if none overlaps.
+double deepest_overlap(const FacingPairs& facing, const FacingPositions& x, const NodeFlags& nodes);
+
 /// The number of integration points of all pairs.
 Index point_count(const FacingPairs& facing);
 

@@ -141,7 +141,7 @@ Ray GaussPoints::ray_from(const Point& point, const Matrix3Xd& x1, const Reach& 
   const Facet& facet = primary_[point.facet];
   Ray ray = normal_ray(facet, x1, point.xi, reach.distance, tolerance_);
   ray.overlap = self_.largest_overlap(point.facet);
-  ray.moved = reach.moved;
+  ray.beyond = reach.beyond;
   if (!self_.is_active()) ray.ahead = reach.ahead(facet, x1);
   ray.normal = middle_normal(facet, x1);
   return ray;

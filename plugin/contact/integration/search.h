@@ -48,18 +48,18 @@ struct Reach {
   double distance;        ///< search distance along the normal, forwards and backwards [length]
   bool by_facet = false;  ///< true if the size of a facet also limits its search distance ahead
   double offset = 0;      ///< gap at which the surfaces touch [length]
-  /// Motion of the surfaces in the present step, by which overlaps may exceed `distance` [length].
-  double moved = 0;
+  /// The distance by which overlaps may exceed `distance` [length].
+  double beyond = 0;
 
   /// Search distance backwards [length].
-  double backwards() const { return distance + moved; }
+  double backwards() const { return distance + beyond; }
 
   /// Search distance ahead of a facet for a parallel facet [length]; tilted_reach() is its factor for other facets.
   /// Infinite if `distance` is the only limit.
   double ahead(const Facet& facet, const Matrix3Xd& position) const;
   friend bool operator==(const Reach& one, const Reach& other) {
     return one.distance == other.distance && one.by_facet == other.by_facet && one.offset == other.offset &&
-           one.moved == other.moved;
+           one.beyond == other.beyond;
   }
 };
 
@@ -70,15 +70,15 @@ struct Ray {
 
   Vector3d origin;
   Vector3d direction;          ///< unit vector along the normal of the surface at the origin
-  double reach;                ///< search distance, forwards and backwards, without `moved` [length]
+  double reach;                ///< search distance, forwards and backwards, without `beyond` [length]
   double tolerance;            ///< distance outside a facet within which a hit still counts, in parametric coordinates
   double overlap = unlimited;  ///< largest overlap: distance backwards within which a hit still counts [length]
   double ahead = unlimited;    ///< search distance ahead for a parallel facet [length], see Reach::ahead()
   Vector3d normal{0, 0, 0};  ///< unit vector that the middle normal of a facet has to oppose; zero: the ray's direction
-  double moved = 0;          ///< Reach::moved [length]
+  double beyond = 0;         ///< Reach::beyond [length]
 
   /// Search distance backwards [length].
-  double backwards() const { return std::min(reach + moved, overlap); }
+  double backwards() const { return std::min(reach + beyond, overlap); }
 };
 
 /// Largest distance outside a facet at which the extended facet still counts as hit, in parametric coordinates: the

@@ -39,6 +39,7 @@ ContactInterface::State carried_over(const NumberedState& before, NumberedState 
     carry_over(state.multipliers[pass], before.state.multipliers[pass], common[both_sides.at(pass)]);
   for (const Side side : both_sides)
     state.slips_from[side] = carried_columns(before.state.slips_from[side], position[side], common[side]);
+  state.overlap = before.state.overlap;
   return std::move(fresh.state);
 }
 

@@ -13,6 +13,7 @@ struct ContactState {
   PerSide<Matrix3Xd> slips_from;         ///< positions from which slips are measured; empty without friction
   std::vector<LoadCarriers> carriers;    ///< load carriers per pass, on which those of the next step depend
   std::vector<NodeFlags> faced;          ///< nodes of the other surface that face contact, per pass; empty if unknown
+  double overlap = 0;                    ///< deepest accepted overlap, if it extends a given search radius [length]
 };
 
 /// Throws std::invalid_argument unless a state has the nodes, fields and passes of a contact.

@@ -55,7 +55,7 @@ IndexedVector<std::optional<SurfaceHit>> hits_of_nodes(const SurfaceMesh& own, c
   const VectorXd overlaps = largest_overlaps_of_nodes(own);
   in_parallel(hits.count(), [&](Index node) {
     Ray ray{x.primary.col(node), normals.col(node), reach.distance, tolerance};
-    ray.moved = reach.moved;
+    ray.beyond = reach.beyond;
     if (own.may_meet_itself()) {
       ray.overlap = overlaps[node];
     } else {

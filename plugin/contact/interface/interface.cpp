@@ -40,20 +40,10 @@ double largest_motion(const PerSide<Matrix3Xd>& from, const PerSide<Matrix3Xd>& 
   return of_side(Side::primary) + of_side(Side::secondary);
 }
 
-/// The positions at the start of a step if they extend a search radius; else empty.
-PerSide<Matrix3Xd> start_of_step(const Settings& settings, const PerSide<SurfaceMesh>& mesh,
-                                 const PerSide<Matrix3Xd>& position) {
-  const bool extends = settings.search.radius > 0 && !mesh[Side::primary].may_meet_itself();
-  return extends ? position : PerSide<Matrix3Xd>();
-}
-
-/// The search distances in a step. Overlaps may exceed a given search radius by the motion of the step, because an
-/// iteration may move a body too far. The radius of self-contact is fixed: the next fold may be within the motion.
-/// `accepted`: see start_of_step().
-Reach reach_in_step(const Settings& settings, const PerSide<Matrix3Xd>& accepted, const PerSide<Matrix3Xd>& position) {
-  Reach reach = reach_of(settings, seen_from(Side::primary, position));
-  if (accepted[Side::primary].cols() > 0) reach.moved = largest_motion(accepted, position);
-  return reach;
+/// True if accepted states extend a given search radius (see ContactInterface::reach()). The radius of self-contact is
+/// fixed: the next fold may be within the motion of a step.
+bool extends_radius(const Settings& settings, const PerSide<SurfaceMesh>& mesh) {
+  return settings.search.radius > 0 && !mesh[Side::primary].may_meet_itself();
 }
 
 void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reach& reach) {
@@ -94,12 +84,13 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
   searched_ = search_all;
-  if (accepted_[Side::primary].cols() == 0) accepted_ = start_of_step(settings_, mesh_, position_);
+  const bool is_start = accepted_.position[Side::primary].cols() == 0;
+  if (is_start && extends_radius(settings_, mesh_)) accepted_.position = position_;
   for (SidedPass& pass : passes_) {
     pass.hits.reset();
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (search_all) {
-      find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
+      find_points(pass, position_, reach());
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
@@ -117,8 +108,25 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
     changes_averages = pass.integral->accept_step(seen_from(pass.side, fields)) || changes_averages;
     pass.integral->laws().close_overlapped = false;
   }
-  accepted_ = start_of_step(settings_, mesh_, {{fields[Side::primary].position, fields[Side::secondary].position}});
+  if (extends_radius(settings_, mesh_)) extend_radius(fields);
   if (changes_averages) end_iterations();
+}
+
+void ContactInterface::extend_radius(const PerSide<SurfaceFields>& fields) {
+  accepted_ = {{{fields[Side::primary].position, fields[Side::secondary].position}}, 0};
+  for (const SidedPass& pass : passes_) {
+    const FacingPositions x = seen_from(pass.side, accepted_.position);
+    const FacingPairs& facing = pass.integral->space().facing();
+    accepted_.overlap = std::max(accepted_.overlap, deepest_overlap(facing, x, pass.integral->flux_coupled()));
+  }
+}
+
+Reach ContactInterface::reach() const {
+  Reach reach = reach_of(settings_, seen_from(Side::primary, position_));
+  if (accepted_.position[Side::primary].cols() == 0) return reach;
+  const double overlap = std::max(0.0, accepted_.overlap - reach.distance);
+  reach.beyond = overlap + largest_motion(accepted_.position, position_);
+  return reach;
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -239,7 +247,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, mesh_[Side::primary].facets.count());
   restrict_second_pass();
-  find_points(passes_.back(), position_, reach_in_step(settings_, accepted_, position_));
+  find_points(passes_.back(), position_, reach());
   if (joins) passes_.back().integral->geometry().moving()->start_inactive(seen_from(Side::secondary, fields));
   return found;
 }

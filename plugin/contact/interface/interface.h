@@ -133,6 +133,12 @@ class ContactInterface {
   void restore(State state);
 
  private:
+  /// The search distances at the present positions. In a step, overlaps may exceed a given search radius by the motion
+  /// of the step, because an iteration may move a body too far. They may also exceed it as far as those of the last
+  /// accepted state: a soft penalty may need them, and points that a search lost would pass through the other body.
+  Reach reach() const;
+  /// Notes the accepted state, which extends the search radius.
+  void extend_radius(const PerSide<SurfaceFields>& fields);
   /// Restricts the second pass to the penetration-check nodes. It makes this pass if there is none.
   void restrict_second_pass();
 
@@ -142,8 +148,13 @@ class ContactInterface {
   PenetrationCheck check_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
-  PerSide<Matrix3Xd> accepted_;  ///< positions in the last accepted state; empty unless they extend a search radius
-  bool searched_ = false;        ///< true if the last projection was a search for all points
+  /// The last accepted state, which extends a given search radius for overlaps.
+  struct Accepted {
+    PerSide<Matrix3Xd> position;  ///< positions; empty without a given search radius
+    double overlap = 0;           ///< deepest overlap of points in contact [length]
+  };
+  Accepted accepted_;
+  bool searched_ = false;  ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };
 

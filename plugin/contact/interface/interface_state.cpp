@@ -57,12 +57,13 @@ ContactInterface::State ContactInterface::state() const {
     state.faced.push_back(pass.faced_before);
   }
   state.slips_from = pass(0).slips().state();
+  state.overlap = accepted_.overlap;
   return state;
 }
 
 void ContactInterface::restore(State state) {
   check(state, mesh_, effects_, settings_.two_pass);
-  accepted_ = {};
+  accepted_ = {{}, state.overlap};
   pass(0).slips().restore(seen_from(Side::primary, state.slips_from));
   NodeFlags check_nodes(check_.nodes.count(), false);
   for (const int node : state.check_nodes) check_nodes[node] = true;

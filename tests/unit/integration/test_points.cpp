@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(points_that_pass_an_edge_once_are_let_go) {
 
 BOOST_AUTO_TEST_CASE(the_motion_of_a_step_extends_the_search_for_overlaps_alone) {
   Reach reach = 1;
-  reach.moved = 1;
+  reach.beyond = 1;
   for (const double overlap : {-1.5, 1.5}) {
     const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, overlap, 1, 1);
     const GridSurface below = grid_surface(grids[Side::primary], 0);

@@ -375,7 +375,7 @@ BOOST_AUTO_TEST_CASE(facets_out_of_reach_are_not_seen) {
 
 BOOST_AUTO_TEST_CASE(the_motion_of_a_step_extends_the_reach_of_overlaps_alone) {
   Reach reach = 1;
-  reach.moved = 1;
+  reach.beyond = 1;
   for (const double overlap : {-1.5, 1.5}) {
     const Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3, overlap);
     Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
