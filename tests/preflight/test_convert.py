@@ -70,9 +70,15 @@ def test_defaults_are_written_out_and_the_rest_stays(converted):
         "+       <penalty>1</penalty>",
         "+       <pressure_penalty>1</pressure_penalty>",
         "+       <concentration_penalty>1</concentration_penalty>",
-        "+       <search_radius>1</search_radius>",
         "+     </contact>",
     ]
+
+
+def test_the_default_radius_is_written_where_it_limits_gaps_that_bear_load(converted):
+    for tension, radius in (((), b""), ((Param("tension", 1.0),), b"<search_radius>1</search_radius>")):
+        made = converted(in_module(solid(*tension), "sliding-elastic"))
+        assert (b"search_radius" in made.data) == bool(radius)
+        assert radius in made.data
 
 
 def test_comments_quotes_spaces_tabs_and_line_ends_stay(converted):
@@ -186,12 +192,11 @@ def test_friction_of_types_without_fluid_acts_on_all_traction(converted):
 
 @pytest.mark.parametrize("kind", UNLIMITED_SEARCH)
 def test_types_without_normals_are_taken(converted, kind):
-    """A radius that FEBio does not limit stays out of the file, and hidden parameters go."""
+    """Hidden parameters go."""
     hidden = {"sliding-facet-on-facet": ("dxtol", "fric_penalty", "fric_coeff"), "sliding-node-on-facet": ("ktmult",)}
     made = converted(in_module(solid(*(Param(name, 1.0) for name in hidden[kind])), kind))
     new = made.data.decode("iso-8859-1")
     assert "<penalty>1</penalty>" in new
-    assert "search_radius" not in new
     assert {name for name, action in fates(made).items() if action is Action.DROPPED} == set(hidden[kind])
 
 

@@ -73,7 +73,7 @@ WRITTEN = {
     "penalty": _PENALTY,
     "pressure_penalty": _PENALTY,
     "concentration_penalty": _PENALTY,
-    "search_radius": "convert writes FEBio's default; the automatic radius depends on the sizes of facets and surfaces",
+    "search_radius": "convert writes FEBio's default; with tension, it also limits the gaps that bear load",
 }
 IMPERMEABLE = {"effects": "traction", "free_draining": "0"}
 IMPERMEABLE_WITH_FRICTION = {"effects": "traction,friction", "free_draining": "0", "contact_frac": "1"}
@@ -128,7 +128,7 @@ def _zero(kind: ContactType, name: str) -> str:
 def missing(kind: ContactType, given: set[str]) -> Iterator[str]:
     """Defaults of FEBio's that have to be written out for a contact of a type."""
     known = (name for name in WRITTEN if name in kind.parameters and name not in given)
-    return (name for name in known if not (name == "search_radius" and kind.name in UNLIMITED_SEARCH))
+    return (name for name in known if name != "search_radius" or "tension" in given)
 
 
 def is_zero(value: str) -> bool:
