@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_are_apart_do_not_overlap) {
   BOOST_TEST(found.share == 0);
 }
 
-BOOST_AUTO_TEST_CASE(within_a_step_overlaps_may_exceed_the_search_radius_by_its_motion) {
+BOOST_AUTO_TEST_CASE(overlaps_may_exceed_the_search_radius_by_the_motion_of_a_step_and_by_accepted_ones) {
   for (const Integration integration : {Integration::gauss, Integration::segments}) {
     Settings settings = looking_as_far_as(0.125, explicit_settings(4, 2, 8));
     settings.integration = integration;
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(within_a_step_overlaps_may_exceed_the_search_radius_by_its_
     };
     BOOST_TEST(std::abs(overlap_after({0, 0, 0}, 0.1875) - 0.25) <= rounding);
     contact->accept_step(scene.fields);
-    BOOST_TEST(overlap_after({0.5, 0, 0}, 0.0) == 0);  // both bodies together
+    BOOST_TEST(std::abs(overlap_after({0.5, 0, 0}, 0.0) - 0.25) <= rounding);  // both bodies together
     BOOST_TEST(overlap_after({0, 0, 0}, -0.3125) == 0);
     contact->accept_step(scene.fields);
     BOOST_TEST(std::abs(overlap_after({0, 0, 0}, 0.3125) - 0.25) <= rounding);
