@@ -42,7 +42,7 @@ def cost(
 ) -> None:
     """Measure error and time for all parameters, problems and interfaces, or name settings for an error (--error).
 
-    The measurement takes some hundreds of runs. After an interruption, the command continues with the missing runs.
+    The measurement takes some hundreds of runs. The command continues with the missing runs after an interruption.
     """
     chosen = problem or list(Problem)
     if error is not None:

@@ -36,7 +36,8 @@ def knee(
     if docs and (only or kind is not Kind.ELASTIC):
         raise typer.BadParameter("the documentation has all elastic knees, and no others", param_hint="--docs")
     try:
-        compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))
+        names = ("compared_knees", "figures", "converted_joint")
+        compared, figures, converted_joint = (import_module(f"studies.knees.{name}") for name in names)
     except ImportError as error:
         raise HarnessError(f"`knee` needs pyfebio and PyVista, and Python 3.11 or newer ({error})") from error
     runner = Runner(folder / "runs", processor_limit=limit)
@@ -55,3 +56,4 @@ def knee(
         files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
         for each in page.PAGES:
             each.write()
+        converted_joint.draw(runner, DOCS / "images")

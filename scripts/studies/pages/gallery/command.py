@@ -26,7 +26,7 @@ def gallery(
 ) -> None:
     """Run the models of the gallery, and write their page with pictures, curves and run times.
 
-    With --only, the page keeps the other models if the same plugin and FEBio made their results.
+    The page keeps the other models with --only if the same plugin and FEBio made their results.
     """
     known = {entry.model.name: entry for entry in entries.entries()}
     names = chosen(only, known)
