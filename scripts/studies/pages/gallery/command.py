@@ -6,15 +6,13 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import stamps
+from studies.options import console
 from studies.pages.gallery import cycle, entries, figures, friction, page
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def gallery(
