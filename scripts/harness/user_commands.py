@@ -59,8 +59,14 @@ def commands(known: Mapping[str, str], arguments: Sequence[str] | None = None) -
     app.callback(help=_ABOUT)(lambda: None)
     called = known if arguments is None else [name for name in arguments[:1] if name in known]
     for name in called or known:
-        app.command(name)(function(name, known) if called else described(name, known))
+        found = function(name, known) if called else described(name, known)
+        app.command(name, help=_flowing(found.__doc__ or ""))(found)
     return app
+
+
+def _flowing(text: str) -> str:
+    """A docstring with a line for each paragraph, which a terminal of any width breaks at its own end."""
+    return "\n\n".join(" ".join(paragraph.split()) for paragraph in text.split("\n\n"))
 
 
 def start(app: typer.Typer, program: str) -> None:

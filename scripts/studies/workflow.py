@@ -1,4 +1,4 @@
-"""Many runs, driven by Snakemake: resumable, on local cores or, with its executors, on a cluster."""
+"""Many runs, driven by Snakemake: resumable, on local cores or, with its executors, on a cluster; and steps in turn."""
 
 from __future__ import annotations
 
@@ -10,12 +10,13 @@ import subprocess
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TextIO
 
 from harness.errors import HarnessError
 from harness.paths import REPOSITORY
 from harness.run.engine import find_engine, required_plugin
 
-WORKFLOW = REPOSITORY / "scripts" / "workflow"
+SNAKEFILE = REPOSITORY / "scripts" / "workflow" / "Snakefile"
 DOES_NOT_HOLD = 1
 """Exit code of a command that is done, and whose checks do not hold."""
 
@@ -39,14 +40,21 @@ def run(jobs: Mapping[str, Sequence[str]], folder: Path, *, cores: int = 1, opti
     HarnessError
         Without Snakemake, febio4 or the plugin. A job that fails leaves no file, and its log beside where it would be.
     """
-    given = {name: shlex.join(arguments) for name, arguments in jobs.items()}
-    binaries = f"binaries=[{find_engine()},{required_plugin()}]"
-    _snakemake("Snakefile", given, folder, ["--cores", str(cores), *options], binaries)
+    if importlib.util.find_spec("snakemake") is None:
+        raise HarnessError("Snakemake is not installed; scripts/mixcontact installs it when it runs this command")
+    folder.mkdir(parents=True, exist_ok=True)
+    list_ = folder / "jobs.txt"
+    list_.write_text(json.dumps({name: shlex.join(arguments) for name, arguments in jobs.items()}, indent=1))
+    command = [sys.executable, "-m", "snakemake", "--snakefile", str(SNAKEFILE), "--directory", str(folder)]
+    command += ["--keep-going", "--rerun-triggers", "mtime", "--rerun-incomplete", "--nolock", "--quiet", "rules"]
+    command += ["--cores", str(cores), *options, "--config", f"jobs={list_.resolve()}", f"python={sys.executable}"]
+    command.append(f"binaries=[{find_engine()},{required_plugin()}]")
+    subprocess.run(command, env=_environment(), check=False)
     return [path for path in (folder / f"{name}.json" for name in jobs) if path.is_file()]
 
 
 def in_turn(steps: Mapping[str, Sequence[Sequence[str]]], folder: Path) -> set[str]:
-    """Do steps of several commands one at a time, the last after all others, and return the names of those done.
+    """Do steps of several commands one at a time, the last if all others are done, and return the names of those done.
 
     Parameters
     ----------
@@ -54,32 +62,24 @@ def in_turn(steps: Mapping[str, Sequence[Sequence[str]]], folder: Path) -> set[s
         For each step the arguments of its commands. A command whose checks do not hold is done.
     folder : Path
         Where the logs are.
-
-    Raises
-    ------
-    HarnessError
-        Without Snakemake.
     """
-    for name in steps:
-        (folder / f"{name}.done").unlink(missing_ok=True)
-    given = {name: " && ".join(map(_command, commands)) for name, commands in steps.items()}
-    if given:
-        _snakemake("Steps", given, folder, ["--cores", "1"])
-    return {name for name in steps if (folder / f"{name}.done").is_file()}
-
-
-def _command(arguments: Sequence[str]) -> str:
-    return f"({shlex.join([sys.executable, '-m', 'studies', *arguments])} || [ $? = {DOES_NOT_HOLD} ])"
-
-
-def _snakemake(file: str, jobs: Mapping[str, str], folder: Path, options: Sequence[str], *config: str) -> None:
-    if importlib.util.find_spec("snakemake") is None:
-        raise HarnessError("Snakemake is not installed; scripts/mixcontact installs it when it runs this command")
     folder.mkdir(parents=True, exist_ok=True)
-    list_ = folder / "jobs.txt"
-    list_.write_text(json.dumps(jobs, indent=1))
-    command = [sys.executable, "-m", "snakemake", "--snakefile", str(WORKFLOW / file), "--directory", str(folder)]
-    command += ["--keep-going", "--rerun-triggers", "mtime", "--rerun-incomplete", "--nolock", "--quiet", "rules"]
-    command += [*options, "--config", f"jobs={list_.resolve()}", f"python={sys.executable}", *config]
-    environment = {**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts")}  # the jobs run in another folder
-    subprocess.run(command, env=environment, check=False)
+    done: set[str] = set()
+    for number, (name, commands) in enumerate(steps.items(), 1):
+        if number == len(steps) > len(done) + 1:
+            break
+        with (folder / f"{name}.log").open("w") as log:
+            if all(_is_done(arguments, log) for arguments in commands):
+                done.add(name)
+    return done
+
+
+def _is_done(arguments: Sequence[str], log: TextIO) -> bool:
+    command = [sys.executable, "-m", "studies", *arguments]
+    ended = subprocess.run(command, env=_environment(), stdout=log, stderr=subprocess.STDOUT, check=False)
+    return ended.returncode in (0, DOES_NOT_HOLD)
+
+
+def _environment() -> dict[str, str]:
+    """Commands find the studies from any folder."""
+    return {**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts")}

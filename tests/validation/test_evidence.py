@@ -124,7 +124,6 @@ def test_each_step_of_the_evidence_is_a_command():
 
 def test_steps_are_done_in_turn_and_the_last_one_at_the_end(tmp_path):
     """A command whose checks do not hold (exit code 1) is done; bad input (2) is not, and keeps the last from being."""
-    pytest.importorskip("snakemake")
     good, bad = ("check", str(MODELS / "joint-before.feb")), ("check", str(tmp_path / "none.feb"))
     assert workflow.in_turn({"one": [good, ("check", "--help")], "last": [good]}, tmp_path) == {"one", "last"}
     assert workflow.in_turn({"one": [good], "two": [good, bad], "last": [good]}, tmp_path) == {"one"}

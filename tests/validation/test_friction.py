@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache, partial
 from itertools import product
 
@@ -21,7 +22,8 @@ from studies.hard_cases import rubbing_record
 from studies.hard_cases.outcomes import OURS, Outcome, arranged
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness
-from studies.models.sheared_blocks import MODULES, Kind
+from studies.models import sheared_blocks
+from studies.models.sheared_blocks import MODULES, Kind, ShearedBlocks
 from studies.pages.evidence import DATA
 
 pytestmark = pytest.mark.mixture_only
@@ -55,6 +57,18 @@ def test_without_friction_the_split_block_differs(runner):
     """The test of these tests: what they measure is friction."""
     split, reference = checks.sheared_pair(runner, Kind.ELASTIC, checks.ContactSettings())
     assert checks.displaced(split, reference) > 0.1
+
+
+def test_febio_logs_friction_before_the_first_step(runner):
+    """FEBio logs data when it has read a model, before the contact has output."""
+    columns = tuple(
+        f"contact {name}" for name in ("friction.x", "slip.x", "friction coefficient", "fluid load support")
+    )
+    model = replace(ShearedBlocks(Kind.ELASTIC, name="friction-from-the-start").model(), facet_columns=columns)
+    logged = runner(model).facets("lower-top")
+    assert logged.times[0] == 0.0
+    assert not logged.values[0].any()
+    assert logged["contact friction coefficient"][-1] == pytest.approx(sheared_blocks.FRICTION)
 
 
 @pytest.mark.slow

@@ -36,7 +36,7 @@ ROOMS = {
         *("ecosystem", "indentation", "validate", "collection", "user_commands"),
     ),
     "studies": (
-        *("stamps", "feb", "files", "tables", "timing", "diagnosis", "workflow"),
+        *("stamps", "options", "feb", "files", "tables", "timing", "diagnosis", "workflow"),
         *("closed_forms", "models", "post"),
         *("engines", "pages", "hard_cases", "fuzz", "cost", "friction", "price"),
         *("synthetic_scenes", "agreement", "ablation", "robustness", "one_answer", "hertz", "linear_solvers", "knees"),

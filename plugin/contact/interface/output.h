@@ -73,7 +73,8 @@ struct NodalOutput {
 
  private:
   double over_pressure(const VectorXd& values, Index node) const {
-    return pressure[node] > 0 ? value_at(values, node) / pressure[node] : 0.0;
+    const double pressing = value_at(pressure, node);  // FEBio logs data before the contact has output
+    return pressing > 0 ? value_at(values, node) / pressing : 0.0;
   }
 };
 

@@ -266,8 +266,8 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
         mesh=made_mesh,
         materials=materials.read(document, numbers),
         solutes=numbers,
-        contacts=tuple(_contacts(document, made_mesh)),
-        ties=tuple(_ties(document, made_mesh)),
+        contacts=tuple(_contacts(document, made_mesh, TYPES)),
+        ties=tuple(_contacts(document, made_mesh, TIED_TYPES)),
     )
     if not made.contacts and not made.ties:
         others = sorted({str(tag.get("type")) for _, tag in document.everywhere("Contact", "contact")})
@@ -290,22 +290,16 @@ def _solutes(document: Document) -> dict[str, int]:
     return found
 
 
-def _contacts(document: Document, known: Mesh) -> Iterator[Contact]:
+def _contacts(document: Document, known: Mesh, types: Mapping[str, ContactType]) -> Iterator[Contact]:
+    """The contacts of these types."""
     for step, tag in document.everywhere("Contact", "contact"):
         kind = attribute(tag, "type")
-        if kind in TYPES:
-            yield Contact(TYPES[kind], _pair(tag, known), step, tag)
-        elif kind.startswith("sliding"):
+        if kind in types:
+            yield Contact(types[kind], _pair(tag, known), step, tag)
+        elif kind.startswith("sliding") and kind not in TYPES:
             raise ModelError(
                 f"{place(tag)}: is of type '{shortened(kind)}', which is unknown; there is {', '.join(TYPES)}"
             )
-
-
-def _ties(document: Document, known: Mesh) -> Iterator[Contact]:
-    for step, tag in document.everywhere("Contact", "contact"):
-        kind = attribute(tag, "type")
-        if kind in TIED_TYPES:
-            yield Contact(TIED_TYPES[kind], _pair(tag, known), step, tag)
 
 
 def _pair(tag: Element, known: Mesh) -> Pair:

@@ -137,6 +137,6 @@ def plot(
         Path | None, typer.Option(help="Write pictures to this folder; the default is the folder of the file.")
     ] = None,
 ) -> None:
-    """Draw the pictures again."""
+    """Draw the pictures of `validate` again."""
     for path in figures.draw(results.read(file).profiles, folder or file.parent):
         console.print(str(path))

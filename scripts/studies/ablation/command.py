@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
@@ -14,10 +12,9 @@ from studies import files, stamps
 from studies.ablation import ablated_runs, page
 from studies.ablation.ablated_runs import Ablated
 from studies.ablation.ablated_scenes import SCENES
+from studies.options import Folder, Limit, console
 from studies.pages.evidence import DATA
 from studies.stamps import LIMIT
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def ablation(
@@ -27,8 +24,8 @@ def ablation(
     device: Annotated[
         list[str] | None, typer.Option(help="Switch off only this device. The option may be repeated.")
     ] = None,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "ablation",
-    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
+    folder: Folder = RESULTS / "ablation",
+    limit: Limit = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Write the page of the documentation, too.")] = False,
 ) -> None:
     """Run scenes with all devices of the solver, and again without each device that acts in the scene.

@@ -7,24 +7,22 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import DOCS, RESULTS
 from studies import stamps
 from studies.agreement import comparisons, page
+from studies.options import Docs, Limit, console
 from studies.pages import stamped_rows
 from studies.pages.evidence import DATA
 from studies.stamps import LIMIT
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def agreement(
     only: Annotated[list[str] | None, typer.Option(help="Run only this scene. The option may be repeated.")] = None,
     folder: Annotated[Path, typer.Option(help="Write runs to this folder.")] = RESULTS / "agreement",
-    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
+    limit: Limit = LIMIT,
+    docs: Docs = False,
 ) -> None:
     """Run models with FEBio's interface and converted on finer and finer meshes, and compare both with the finest.
 

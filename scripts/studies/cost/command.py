@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.models.interface import InterfaceType
 from harness.paths import DOCS, RESULTS
@@ -17,10 +16,10 @@ from studies import files, stamps, workflow
 from studies.cost import page, pareto, point_runs
 from studies.cost.point_runs import Datum
 from studies.cost.points import INTERFACES, Parameter, Problem, points
+from studies.options import Docs, Snakemake, console
 from studies.pages.evidence import DATA as RESULTS_OF_THE_PAGES
 from studies.stamps import LIMIT
 
-console = Console(highlight=False, soft_wrap=True)
 DATA = RESULTS_OF_THE_PAGES / "cost.csv"
 """What was measured, as it comes with the documentation."""
 
@@ -37,12 +36,12 @@ def cost(
     jobs: Annotated[
         int, typer.Option(min=1, help="Number of simultaneous runs; more than one distorts the times.")
     ] = 1,
-    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
-    snakemake: Annotated[list[str] | None, typer.Argument(help="Options for Snakemake, after --.")] = None,
+    docs: Docs = False,
+    snakemake: Snakemake = None,
 ) -> None:
     """Measure error and time for all parameters, problems and interfaces, or name settings for an error (--error).
 
-    The measurement takes some hundreds of runs. After an interruption, the command continues with the missing runs.
+    The measurement takes some hundreds of runs. The command continues with the missing runs after an interruption.
     """
     chosen = problem or list(Problem)
     if error is not None:

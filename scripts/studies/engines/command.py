@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
@@ -14,8 +13,8 @@ from harness.post.compare import missed
 from harness.run.hosts import FEBIO4, STANDALONE
 from harness.run.runner import Runner
 from studies.engines.engine_agreement import COMPARISONS, compare
+from studies.options import console
 
-console = Console(highlight=False, soft_wrap=True)
 MISSED = 1
 """Exit code where a tolerance is missed."""
 

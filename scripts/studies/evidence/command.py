@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.errors import HarnessError
 from harness.paths import RESULTS
 from studies import stamps, workflow
 from studies.evidence.steps import STEPS, Step
-
-console = Console(highlight=False, soft_wrap=True)
+from studies.options import console
 
 
 def evidence(

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
@@ -19,18 +17,16 @@ from studies.hard_cases import rubbing_record
 from studies.hard_cases.outcomes import Outcome
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness, Interface
+from studies.options import Folder, Limit, Site, console
 from studies.pages.evidence import DATA
 from studies.stamps import LIMIT
-
-console = Console(highlight=False, soft_wrap=True)
-Limit = Annotated[float, typer.Option(help="Limit each run to this processor time [s].")]
 
 
 def friction_cases(
     only: Annotated[list[str] | None, typer.Option(help="Run only this case. The option may be repeated.")] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="Run only this mesh.")] = None,
     febio: Annotated[bool, typer.Option(help="Also run FEBio's friction, with two factors on its penalties.")] = True,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "friction-cases",
+    folder: Folder = RESULTS / "friction-cases",
     limit: Limit = LIMIT,
     docs: Annotated[bool, typer.Option("--docs", help="Also write the data of the documentation.")] = False,
 ) -> None:
@@ -58,8 +54,7 @@ def friction_cases(
 
 
 def friction_benchmarks(
-    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
-    / "friction-benchmarks",
+    folder: Site = RESULTS / "friction-benchmarks",
     limit: Limit = LIMIT,
 ) -> None:
     """Turn a hemisphere on a block, press concentric spheres, on two meshes each, and compare with published curves."""
@@ -81,8 +76,7 @@ def friction_benchmarks(
 
 
 def friction_cost(
-    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
-    / "friction-cost",
+    folder: Site = RESULTS / "friction-cost",
     limit: Limit = LIMIT,
 ) -> None:
     """Measure elastic slip against time, by tangential penalty and with AUGLAG."""

@@ -25,8 +25,8 @@ PANELS = (
 
 def draw(rows: Sequence[Row], path: Path) -> Path:
     """A panel for each problem, as SVG."""
-    figure = Figure(figsize=(10.0, 4.0), layout="constrained", facecolor="white")
-    all_axes = figure.subplots(1, len(PANELS))
+    figure = Figure(figsize=(5.4, 9.0), layout="constrained", facecolor="white")
+    all_axes = figure.subplots(len(PANELS), 1)
     for axes, (problem, place, value, title) in zip(all_axes, PANELS, strict=True):
         _panel(axes, [row for row in rows if row.problem == problem])
         axes.set(xlabel=place, ylabel=value)
@@ -34,7 +34,7 @@ def draw(rows: Sequence[Row], path: Path) -> Path:
     found = {
         label: handle for axes in all_axes for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)
     }
-    figure.legend(found.values(), found, loc="outside lower center", ncols=3, fontsize=8, frameon=False)
+    figure.legend(found.values(), found, loc="outside upper center", ncols=2, fontsize=9, frameon=False)
     return files.save_figure(figure, path)
 
 

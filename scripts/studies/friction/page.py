@@ -54,7 +54,7 @@ def beside(models: Sequence[Row]) -> str:
     )
     return (
         f"{converted} of {len(models)} scenes take no more iterations than FEBio's interface with the same penalties. "
-        f"With the stiffer default penalties, this holds for {defaults} scenes."
+        f"This holds with the stiffer default penalties for {defaults} scenes."
     )
 
 

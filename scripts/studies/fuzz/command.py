@@ -10,15 +10,14 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import workflow
 from studies.fuzz.draws import Kind
 from studies.fuzz.seed_trial import Trial, attempt
+from studies.options import Folder, Jobs, console
 
-console = Console(highlight=False, soft_wrap=True)
 CHUNK = 20
 """Seeds a job."""
 TIMEOUT = 60.0
@@ -30,8 +29,8 @@ def fuzz(
     seed: Annotated[int, typer.Option(min=0, help="First seed of the random numbers.")] = 0,
     count: Annotated[int, typer.Option(min=1, help="Largest number of seeds of each kind.")] = 1000,
     minutes: Annotated[float, typer.Option(min=0.0, help="Wall time in minutes; the next call continues.")] = 60.0,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "fuzz",
-    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = 1,
+    folder: Folder = RESULTS / "fuzz",
+    jobs: Jobs = 1,
 ) -> None:
     """Run random scenes and random parameters for a given time; the exit code is 1 if the command finds a fault.
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from itertools import product
 from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import DOCS, RESULTS
@@ -19,21 +17,20 @@ from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.outcomes import End, Outcome
 from studies.hard_cases.record import Record
 from studies.hard_cases.scene import Fineness, Interface
+from studies.options import TWO_AT_MOST, Docs, Folder, Jobs, Limit, Snakemake, console
 from studies.pages.evidence import DATA
 from studies.stamps import LIMIT, Stamp
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def hard_cases(
     only: Annotated[list[str] | None, typer.Option(help="Run only this case. The option may be repeated.")] = None,
     mesh: Annotated[list[Fineness] | None, typer.Option(help="Run only this mesh.")] = None,
     interface: Annotated[list[Interface] | None, typer.Option(help="Run only this interface.")] = None,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "hard-cases",
-    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = min(2, os.cpu_count() or 1),
-    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
-    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
-    snakemake: Annotated[list[str] | None, typer.Argument(help="Options for Snakemake, after --.")] = None,
+    folder: Folder = RESULTS / "hard-cases",
+    jobs: Jobs = TWO_AT_MOST,
+    limit: Limit = LIMIT,
+    docs: Docs = False,
+    snakemake: Snakemake = None,
 ) -> None:
     """Run the hard cases on two meshes with sliding-mixture and FEBio's interfaces, and write the table.
 
@@ -84,7 +81,7 @@ def hard_case(
         list[Interface] | None, typer.Option(help="Run only this interface. The option may be repeated.")
     ] = None,
     out: Annotated[Path | None, typer.Option(help="Write the records to this file, as JSON.")] = None,
-    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
+    limit: Limit = LIMIT,
 ) -> None:
     """Run one hard case on one mesh and print its checks."""
     runner = Runner(RESULTS / "hard-cases" / "runs", processor_limit=limit)

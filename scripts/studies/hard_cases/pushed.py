@@ -13,15 +13,14 @@ from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, cylinder_body
 from harness.models.mesh import Mesh, Part
-from harness.models.parts import Condition, Curve, Param, displace, fix
+from harness.models.parts import Param, fix
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 from studies.models.assembly import box
+from studies.models.pieces import Motion, driven
 
-Motion = Callable[[Array, float], Array]
-"""Displacements (n, 3) of nodes at reference positions (n, 3) at a time (s), mm."""
 NEAR = 1e-9
 
 
@@ -128,8 +127,8 @@ class Pushed:
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         """The model."""
-        made = self._mesh(1 if mesh is Fineness.COARSE else 2)
-        grip, curves = self._grip(made)
+        axes = "xz" if self.plane else "xyz"
+        made, grip, curves = driven(self._mesh(1 if mesh is Fineness.COARSE else 2), self.times, self.motion, axes)
         control, steps = timed(self.times, len(curves) + 1, 1e-3 * NEWTON)
         conditions = (
             *((fix("all", "y"),) if self.plane else ()),
@@ -139,27 +138,10 @@ class Pushed:
             *ambient_at("base", (1.0,)),
             *ambient_at("grip", (0.0,)),
         )
-        moved = {f"grip-{n}": np.array([n]) for n in made.node_sets["grip"].tolist()}
-        made = replace(made, node_sets=made.node_sets | moved)
         text = f"Hard case {self.name}: a body pushed into another one."
         joined = interface.contacts("multiphasic", made, self.extra)
         model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, (*curves, steps))
         return finished(model, interface)
-
-    def _grip(self, mesh: Mesh) -> tuple[list[Condition], tuple[Curve, ...]]:
-        """Each node of the grip along its own curves."""
-        nodes = mesh.node_sets["grip"]
-        start = mesh.nodes[nodes - 1]
-        way = np.stack([self.motion(start, t) for t in (0.0, *self.times)])
-        conditions, curves = [], []
-        for place, number in enumerate(nodes.tolist()):
-            for axis in range(3):
-                if self.plane and axis == 1:
-                    continue
-                points = zip((0.0, *self.times), way[:, place, axis].tolist(), strict=True)
-                curves.append(Curve(tuple(points)))
-                conditions.append(displace(f"grip-{number}", "xyz"[axis], 1.0, len(curves)))
-        return conditions, tuple(curves)
 
     def _mesh(self, factor: int) -> Mesh:
         below, above = self.base(factor), self.shape(factor)

@@ -12,7 +12,8 @@ from harness.post.compare import Measure
 from harness.run.runner import RunResult
 from studies.closed_forms import incline
 from studies.hard_cases.catalogue import CORNER, CURVED, PRESSED, slider, spinner, wedge
-from studies.hard_cases.pushed import Motion, Pushed, Shape, along, grip_force, slab, spinning
+from studies.hard_cases.pushed import Pushed, Shape, along, grip_force, slab, spinning
+from studies.models.pieces import Motion
 
 FRICTION, SOLID_FRACTION = 0.3, 0.1
 """mu_eq and phi of the cases that do not say otherwise."""

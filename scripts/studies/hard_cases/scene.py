@@ -10,9 +10,10 @@ from typing import Protocol
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.mesh import Mesh
-from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Param, Solid, Solute, TimeStepper
+from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Param, Solid, Solute
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
+from studies.models import pieces
 from studies.models.pieces import PREDICTOR
 
 GEL = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, 5e-4, 5e-4),))
@@ -136,20 +137,9 @@ class Case:
 
 
 def timed(times: Sequence[float], curve: int, newton: float = NEWTON) -> tuple[Control, Curve]:
-    """Time steps that end at `times` (s), and the load curve, of number `curve`, that makes them; cut back at need."""
-    stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=curve, aggressive=True, force=True)
-    control = Control(
-        len(times),
-        times[0],
-        displacement_tolerance=newton,
-        energy_tolerance=newton,
-        pressure_tolerance=newton,
-        concentration_tolerance=newton,
-        reformations=25,
-        stepper=stepper,
-        end=times[-1],
-    )
-    return control, Curve(tuple((float(t), float(times[-1])) for t in times), "STEP")
+    """Time steps that end at `times` (s) with these tolerances, and their load curve, of number `curve`."""
+    names = ("displacement", "energy", "pressure", "concentration")
+    return pieces.timed(times, curve, reformations=25, **{f"{name}_tolerance": newton for name in names})
 
 
 def finished(model: Model, interface: Interface) -> Model:

@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Annotated
-
-import typer
-from rich.console import Console
-
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps
 from studies.hertz import elastic_profiles, figures, growth_records
+from studies.options import Site, console
 
-console = Console(highlight=False, soft_wrap=True)
 DATA, PICTURE = "data/biphasic-hertz.csv", "images/biphasic-hertz.svg"
 ELASTIC_DATA, ELASTIC_PICTURE = "data/elastic-hertz.csv", "images/elastic-hertz.svg"
 
 
 def biphasic_hertz(
-    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
-    / "hertz",
+    folder: Site = RESULTS / "hertz",
 ) -> None:
     """Press two thin biphasic layers together, on two meshes, and compare with the closed form."""
     runner = Runner(RESULTS / "runs")
@@ -36,8 +29,7 @@ def biphasic_hertz(
 
 
 def elastic_hertz(
-    folder: Annotated[Path, typer.Option(help="Write data and picture to this folder; `docs` for the site.")] = RESULTS
-    / "hertz",
+    folder: Site = RESULTS / "hertz",
 ) -> None:
     """Press a cylinder and a sphere on a block, on two meshes each, and compare with Hertz's closed forms."""
     rows = elastic_profiles.all_rows(Runner(RESULTS / "runs"))

@@ -20,28 +20,29 @@ GREY = "0.25"
 
 
 def draw(rows: Sequence[Record], path: Path) -> Path:
-    """Half-width or radius and peak pressure, a line of pictures for each shape of the contact, as SVG."""
-    figure = Figure(figsize=(8.2, 6.2), layout="constrained", facecolor="white")
-    all_axes = figure.subplots(2, 2)
-    for (left, right), (problems, extent) in zip(
-        all_axes, ((LINES, "half-width [mm]"), (SPHERES, "radius [mm]")), strict=True
+    """Half-width or radius and peak pressure, two panels for each shape of the contact, as SVG."""
+    figure = Figure(figsize=(5.4, 10.4), layout="constrained", facecolor="white")
+    all_axes = figure.subplots(4, 1)
+    for (first, second), (problems, extent) in zip(
+        (all_axes[:2], all_axes[2:]), ((LINES, "half-width [mm]"), (SPHERES, "radius [mm]")), strict=True
     ):
-        _panel(left, rows, problems, ("half_width", 1.0))
-        left.set_ylabel(extent)
-        _panel(right, rows, problems, ("peak", 1e3))
-        right.set_ylabel("peak pressure [kPa]")
-        left.legend(fontsize=8, frameon=False, loc="lower right")
+        _panel(first, rows, problems, ("half_width", 1.0))
+        first.set_ylabel(extent)
+        _panel(second, rows, problems, ("peak", 1e3))
+        second.set_ylabel("peak pressure [kPa]")
+        first.set_title("along a line" if problems is LINES else "over a circle", fontsize=10)
+        first.legend(fontsize=9, frameon=False, loc="lower right")
     return files.save_figure(figure, path)
 
 
 def draw_elastic(rows: Sequence[ProfileRow], path: Path) -> Path:
     """Pressure under a cylinder and under a sphere, both over those of the closed form, as SVG."""
-    figure = Figure(figsize=(8.2, 3.3), layout="constrained", facecolor="white")
-    for axes, problem in zip(figure.subplots(1, 2, sharey=True), elastic_profiles.PROBLEMS, strict=True):
+    figure = Figure(figsize=(5.4, 5.8), layout="constrained", facecolor="white")
+    for axes, problem in zip(figure.subplots(2, 1, sharex=True), elastic_profiles.PROBLEMS, strict=True):
         _profiles(axes, [row for row in rows if row.problem == problem])
         axes.set_title(f"{problem} on a block", fontsize=10)
-        axes.set_xlabel("distance from the middle / its half-width or radius [-]")
-    figure.axes[0].set_ylabel("pressure / peak pressure [-]")
+        axes.set_ylabel("pressure / peak pressure [-]")
+    figure.axes[-1].set_xlabel("distance from the middle / its half-width or radius [-]")
     return files.save_figure(figure, path)
 
 
@@ -53,7 +54,7 @@ def _profiles(axes: Axes, rows: Sequence[ProfileRow]) -> None:
         place, pressure = [row.place / row.radius for row in own], [row.pressure / row.peak for row in own]
         axes.plot(place, pressure, marker, color="black", markerfacecolor="none", ms=4, label=mesh)
     axes.set_ylim(bottom=0.0)
-    axes.legend(fontsize=8, frameon=False)
+    axes.legend(fontsize=9, frameon=False)
     axes.spines[["top", "right"]].set_visible(False)
 
 

@@ -57,8 +57,8 @@ def details(checks: int) -> str:
     return (
         f"The results come from {checks} checks against closed forms, conforming references and balances. Hertz's "
         "contacts have no tolerance and are not among these results. Half-widths, radii and peak pressures of a "
-        f"cylinder and a sphere differ from the closed forms by up to {100.0 * hertz:.1f} %. Those of thin biphasic "
-        f"layers, whose closed form is asymptotic, differ by up to {100.0 * layers:.1f} %."
+        f"cylinder and a sphere differ from the closed forms by up to {100.0 * hertz:.1f} %. These values of thin "
+        f"biphasic layers, whose closed form is asymptotic, differ by up to {100.0 * layers:.1f} %."
     )
 
 

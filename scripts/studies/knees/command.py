@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from importlib import import_module
-from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.errors import HarnessError
 from harness.paths import DOCS, RESULTS
@@ -15,16 +13,15 @@ from harness.run.runner import Runner, RunResult
 from studies import files, stamps
 from studies.knees import page
 from studies.knees.knee_run import Kind, KneeRun
+from studies.options import Folder, Limit, console
 from studies.pages.evidence import DATA
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def knee(
     kind: Annotated[Kind, typer.Option(help="Run knees of this kind.")] = Kind.ELASTIC,
     only: Annotated[str, typer.Option(help="Run knees whose names contain this text.")] = "",
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "knee",
-    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = page.LIMIT,
+    folder: Folder = RESULTS / "knee",
+    limit: Limit = page.LIMIT,
     docs: Annotated[
         bool, typer.Option("--docs", help="Also write data, pages and pictures of the documentation.")
     ] = False,
@@ -36,7 +33,8 @@ def knee(
     if docs and (only or kind is not Kind.ELASTIC):
         raise typer.BadParameter("the documentation has all elastic knees, and no others", param_hint="--docs")
     try:
-        compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))
+        names = ("compared_knees", "figures", "converted_joint")
+        compared, figures, converted_joint = (import_module(f"studies.knees.{name}") for name in names)
     except ImportError as error:
         raise HarnessError(f"`knee` needs pyfebio and PyVista, and Python 3.11 or newer ({error})") from error
     runner = Runner(folder / "runs", processor_limit=limit)
@@ -55,3 +53,4 @@ def knee(
         files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
         for each in page.PAGES:
             each.write()
+        converted_joint.draw(runner, DOCS / "images")

@@ -7,16 +7,14 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
 from studies import stamps
 from studies.linear_solvers.trials import trials
+from studies.options import console
 from studies.pages import linear_solver_results, stamped_rows
 from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def linear_solvers(

@@ -149,10 +149,10 @@ class Joint:
             "all": everywhere(),
             "symmetry": plane("x", 0.0),
             "lower-bone": plane("y", -THICKNESS, "lower"),
-            "upper-bone": Chosen("upper", _above(THICKNESS)),
+            "upper-bone": Chosen("upper", above(THICKNESS)),
             **({} if self.source is Source.FLUID else {"upper": everywhere("upper")}),
         }
-        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", _above(0.0))}
+        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", above(0.0))}
         bodies = {"lower": self._lower(), "upper": self._upper()}
         return assembled(bodies, node_sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})
 
@@ -161,7 +161,7 @@ class Joint:
 
     def _upper(self) -> Body:
         points = self._grid("upper")
-        points[..., 1] += _rise(points)
+        points[..., 1] += rise(points)
         return blocks.structured(points)
 
     def _grid(self, layer: str) -> Points:
@@ -177,11 +177,11 @@ class Joint:
         return Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
 
 
-def _rise(points: Points) -> NDArray[np.float64]:
+def rise(points: Points) -> NDArray[np.float64]:
     """Height of the upper cartilage's surface over that of the lower one at first touch, mm."""
     return np.asarray(points[..., 0] ** 2 / (2.0 * RADIUS))
 
 
-def _above(height: float) -> Inside:
+def above(height: float) -> Inside:
     """Positions at a height (mm) over the surface of the upper cartilage."""
-    return lambda x: np.asarray(np.abs(x[..., 1] - _rise(x) - height) < NEAR)
+    return lambda x: np.asarray(np.abs(x[..., 1] - rise(x) - height) < NEAR)

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
+import numpy as np
+
+from harness.arrays import Array
 from harness.models.interface import ContactSettings, InterfaceType, default_settings
-from harness.models.parts import Condition, Param, displace
+from harness.models.mesh import Mesh
+from harness.models.parts import Condition, Control, Curve, Param, TimeStepper, displace
 
+Motion = Callable[[Array, float], Array]
+"""Displacements (n, 3) of nodes at reference positions (n, 3) at a time (s), mm."""
 PREDICTOR = Param("predictor", True)
 """Turns the plugin's predictor on."""
 
@@ -46,3 +54,26 @@ def with_friction(
     given = default_settings(interface)
     fraction = () if solid_fraction is None else (Param("contact_frac", solid_fraction),)
     return replace(given, extra=(*given.extra, Param("fric_coeff", coefficient), *fraction))
+
+
+def timed(times: Sequence[float], curve: int, **given: Any) -> tuple[Control, Curve]:
+    """Time steps that end at `times` (s), and the load curve, of number `curve`, that makes them; cut back at need."""
+    stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=curve, aggressive=True, force=True)
+    control = Control(len(times), times[0], stepper=stepper, end=times[-1], **given)
+    return control, Curve(tuple((float(t), float(times[-1])) for t in times), "STEP")
+
+
+def driven(
+    mesh: Mesh, times: Sequence[float], motion: Motion, axes: str = "xyz"
+) -> tuple[Mesh, list[Condition], tuple[Curve, ...]]:
+    """Move each node of the set ``grip`` along load curves of its own, which begin at 0 s; each has a node set."""
+    nodes = mesh.node_sets["grip"]
+    way = np.stack([motion(mesh.nodes[nodes - 1], time) for time in (0.0, *times)])
+    conditions, curves = [], []
+    for place, number in enumerate(nodes.tolist()):
+        for axis in axes:
+            points = zip((0.0, *times), way[:, place, "xyz".index(axis)].tolist(), strict=True)
+            curves.append(Curve(tuple(points)))
+            conditions.append(displace(f"grip-{number}", axis, 1.0, len(curves)))
+    grip = {f"grip-{number}": np.array([number]) for number in nodes.tolist()}
+    return replace(mesh, node_sets=mesh.node_sets | grip), conditions, tuple(curves)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,19 +10,17 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
-    Control,
     Curve,
     Mixture,
     Rigid,
     Solid,
-    TimeStepper,
     fix,
     hold_rigid,
     pressure,
     push_rigid,
 )
 from studies.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
-from studies.models.pieces import hold, move_rigid, with_friction
+from studies.models.pieces import hold, move_rigid, timed, with_friction
 
 HEIGHT = 1.0
 """mm."""
@@ -78,6 +76,9 @@ class PlateOnLayer:
         mesh = self._mesh()
         settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
         load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
+        # Tolerances are far below the first friction force, a small part of the load.
+        tolerances = {"displacement_tolerance": 1e-5, "energy_tolerance": 1e-8, "pressure_tolerance": 1e-5}
+        control, steps = timed(TIMES, 3, reformations=25, **tolerances)
         slide = Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
         return Model(
             self.name,
@@ -94,9 +95,9 @@ class PlateOnLayer:
                 move_rigid("plate", "x", WAY, 2),
                 push_rigid("plate", "z", -LOAD, 1),
             ),
-            _control(),
+            control,
             contacts(InterfaceType.MIXTURE, mesh, settings),
-            (load, slide, Curve(tuple((time, TIMES[-1]) for time in TIMES), "STEP")),
+            (load, slide, steps),
             plot=self.plot,
             further_columns=("Rx", "Rz"),
         )
@@ -116,10 +117,3 @@ class PlateOnLayer:
         }
         pair = ("layer", "plate") if self.layer_is_primary else ("plate", "layer")
         return assembled(bodies, sets, surfaces, {"contact": pair})
-
-
-def _control() -> Control:
-    """Steps that end at `TIMES`; tolerances far below the first friction force, a small part of the load."""
-    stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=3, aggressive=True, force=True)
-    control = Control(STEPS, TIMES[0], 1e-5, 1e-8, 1e-5, reformations=25, stepper=stepper)
-    return replace(control, end=TIMES[-1])

@@ -5,20 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Control, Curve, Mixture, Solid, TimeStepper, displace, fix
-from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, tensor
-from studies.models.pieces import with_friction
+from harness.models.parts import Curve, Mixture, Solid, displace, fix
+from studies.models.assembly import Chosen, assembled, everywhere, graded, plane, tensor
+from studies.models.joint import THICKNESS, above, rise
+from studies.models.pieces import timed, with_friction
 
-RADIUS = 15.0
-"""Radius of curvature of the upper cartilage, mm."""
-THICKNESS = 1.0
-"""Of each layer, mm."""
 HALF_WIDTHS = {"upper": 3.0, "lower": 3.6}
 """mm."""
 ACROSS, THROUGH = 48, 6
@@ -58,6 +54,8 @@ class SlidingJoint:
         given = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=SOLID_FRACTION)
         press = Curve(((0.0, 0.0), (PRESSED, 1.0)))
         slide = Curve(((0.0, 0.0), (DRAINED, 0.0), (END, 1.0)))
+        tolerances = {"displacement_tolerance": 1e-4, "energy_tolerance": 1e-6, "pressure_tolerance": 1e-4}
+        control, steps = timed(times(), 3, reformations=30, **tolerances)
         return Model(
             "sliding-joint",
             header("sliding-joint", ABOUT, InterfaceType.MIXTURE),
@@ -70,9 +68,9 @@ class SlidingJoint:
                 displace("upper-bone", "y", -APPROACH, 1),
                 displace("upper-bone", "x", WAY, 2),
             ),
-            _control(),
+            control,
             contacts(InterfaceType.MIXTURE, mesh, given),
-            (press, slide, Curve(tuple((time, END) for time in times()), "STEP")),
+            (press, slide, steps),
             plot=self.plot,
             further_columns=("Rx", "Ry"),
             facet_columns=FACET_COLUMNS,
@@ -83,9 +81,9 @@ class SlidingJoint:
         sets = {
             "all": everywhere(),
             "lower-bone": plane("y", -THICKNESS, "lower"),
-            "upper-bone": Chosen("upper", _above(THICKNESS)),
+            "upper-bone": Chosen("upper", above(THICKNESS)),
         }
-        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", _above(0.0))}
+        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", above(0.0))}
         bodies = {"lower": self._layer("lower", -1.0), "upper": _raised(self._layer("upper", 1.0))}
         return assembled(bodies, sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})
 
@@ -103,23 +101,7 @@ def times() -> tuple[float, ...]:
     return tuple(np.concatenate([pressing, draining, sliding]).tolist())
 
 
-def _control() -> Control:
-    stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=3, aggressive=True, force=True)
-    steps = times()
-    return Control(len(steps), steps[0], 1e-4, 1e-6, 1e-4, reformations=30, stepper=stepper, end=END)
-
-
-def _rise(x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Height of the upper cartilage's surface over that of the lower one at first touch, mm."""
-    return np.asarray(x**2 / (2.0 * RADIUS))
-
-
 def _raised(body: Body) -> Body:
     nodes = body.nodes.copy()
-    nodes[:, 1] += _rise(nodes[:, 0])
+    nodes[:, 1] += rise(nodes)
     return Body(nodes, body.elements)
-
-
-def _above(height: float) -> Inside:
-    """Positions at a height (mm) over the surface of the upper cartilage."""
-    return lambda x: np.asarray(np.abs(x[..., 1] - _rise(x[..., 0]) - height) < NEAR)

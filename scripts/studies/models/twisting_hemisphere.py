@@ -11,10 +11,10 @@ from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
-from harness.models.parts import Condition, Control, Curve, Elastic, Param, Solid, TimeStepper, displace
+from harness.models.parts import Curve, Elastic, Param, Solid
 from studies.models import spherical_shells
 from studies.models.assembly import assembled, box, plane, sphere
-from studies.models.pieces import hold
+from studies.models.pieces import driven, hold, timed
 
 OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0
 """Radii of the hemisphere and edge of the block, mm."""
@@ -51,12 +51,10 @@ class TwistingHemisphere:
 
     def model(self) -> Model:
         """The model of these choices."""
-        mesh = self._mesh()
-        moved, curves = self._turned(mesh)
-        grip = {f"grip-{n}": np.array([n]) for n in mesh.node_sets["grip"].tolist()}
-        mesh = replace(mesh, node_sets=mesh.node_sets | grip)
+        mesh, moved, curves = driven(self._mesh(), self.times, motion)
         rubbing = Curve(((0.0, 0.0), (PRESSED, 0.0), (PRESSED + 1e-6, 1.0), (END, 1.0)))
-        steps = Curve(tuple((time, END) for time in self.times), "STEP")
+        tolerances = {"displacement_tolerance": 1e-4, "energy_tolerance": 1e-6}
+        control, steps = timed(self.times, len(curves) + 2, reformations=40, **tolerances)
         given = default_settings(self.interface)
         settings = replace(given, extra=(*given.extra, Param("fric_coeff", FRICTION, len(curves) + 1)))
         return Model(
@@ -66,7 +64,7 @@ class TwistingHemisphere:
             mesh,
             {"block": Elastic(SOFT), "hemisphere": Elastic(STIFF)},
             (*hold("base", "xyz"), *moved),
-            self._control(len(curves) + 2),
+            control,
             contacts(self.interface, mesh, settings),
             (*curves, rubbing, steps),
             further_columns=("Rx", "Ry", "Rz"),
@@ -77,22 +75,6 @@ class TwistingHemisphere:
         """Ends of the steps, s: ten of pressing, then those of turning."""
         turning = np.linspace(PRESSED, END, TURNING_STEPS + 1)[1:]
         return (*(PRESSED * k / 10.0 for k in range(1, 11)), *turning.tolist())
-
-    def _control(self, must: int) -> Control:
-        stepper = TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=must, aggressive=True, force=True)
-        return Control(len(self.times), self.times[0], 1e-4, 1e-6, reformations=40, stepper=stepper, end=END)
-
-    def _turned(self, mesh: Mesh) -> tuple[list[Condition], tuple[Curve, ...]]:
-        """Each node of the hemisphere's flat rim along curves of its own, and those."""
-        conditions, curves = [], []
-        for number in mesh.node_sets["grip"].tolist():
-            start = mesh.nodes[number - 1]
-            way = np.stack([position(start, time) - start for time in (0.0, *self.times)])
-            for axis in range(3):
-                points = zip((0.0, *self.times), way[:, axis].tolist(), strict=True)
-                curves.append(Curve(tuple(points)))
-                conditions.append(displace(f"grip-{number}", "xyz"[axis], 1.0, len(curves)))
-        return conditions, tuple(curves)
 
     def _mesh(self) -> Mesh:
         n = self.elements + 2
@@ -121,3 +103,8 @@ def position(start: Array, time: float) -> Array:
     turned = np.radians(angle(time))
     c, s = np.cos(turned), np.sin(turned)
     return np.array([c * start[0] - s * start[1], s * start[0] + c * start[1], start[2] - down])
+
+
+def motion(positions: Array, time: float) -> Array:
+    """Displacements (mm) of points of the rim at a time (s), shape (n, 3)."""
+    return np.stack([position(start, time) - start for start in positions])

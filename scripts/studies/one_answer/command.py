@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
@@ -17,19 +15,18 @@ from studies import files
 from studies.feb import Feb
 from studies.one_answer.answers import Answer, Answers
 from studies.one_answer.edge_scenes import SCENES
+from studies.options import Folder, Timeout, console
 from studies.robustness import sanitized
 from studies.robustness.execution import Way
 from studies.robustness.sanitized import Plugin
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def one_answer(
     only: Annotated[
         list[str] | None, typer.Option(help="Run only the scene of this name. The option may be repeated.")
     ] = None,
-    timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = 600.0,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "one-answer",
+    timeout: Timeout = 600.0,
+    folder: Folder = RESULTS / "one-answer",
     jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous scenes.")] = sanitized.processors(),
 ) -> None:
     """Solve porous scenes with an edge of contact in all ways: methods, threads, restarts, cutbacks, enforcement.

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import DOCS, RESULTS
@@ -14,9 +13,9 @@ from harness.run.runner import Runner
 from harness.validate import figures
 from harness.validate.checks import CHECKS, Context
 from studies import stamps
+from studies.options import console
 from studies.pages import verification
 
-console = Console(highlight=False, soft_wrap=True)
 MISSED = 1
 """Exit code where a tolerance is missed."""
 

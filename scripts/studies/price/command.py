@@ -9,17 +9,15 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.paths import DOCS, RESULTS
 from studies import files, stamps
+from studies.options import Docs, console
 from studies.pages.evidence import DATA
 from studies.price import effect_costs, febio_matrices, joints, page, paired_runs
 from studies.price.effect_costs import EffectCost
 from studies.price.scenes import Kind, Scene, effects_added
 from studies.stamps import LIMIT
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 class Part(str, Enum):
@@ -39,7 +37,7 @@ def price(
     only: Annotated[list[Part] | None, typer.Option(help="Measure only this part. The option may be repeated.")] = None,
     repetitions: Annotated[int, typer.Option(min=1, help="Number of repetitions of each comparison.")] = 3,
     folder: Annotated[Path, typer.Option(help="Write tables and pictures to this folder.")] = RESULTS / "price",
-    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
+    docs: Docs = False,
 ) -> None:
     """Measure the times of the contact.
 

@@ -80,23 +80,23 @@ def _scene(own: Sequence[EffectCost]) -> str:
 
 def draw(costs: Sequence[EffectCost], path: Path) -> Path:
     """Bars of time by effect and of matrix entries, a row for each scene, with the XML that asks for it."""
-    figure = Figure(figsize=(10.0, 4.6), layout="constrained", facecolor="white")
-    left, right = figure.subplots(1, 2, sharey=True, width_ratios=(3, 1.4))
+    figure = Figure(figsize=(5.4, 7.4), layout="constrained", facecolor="white")
+    upper, lower = figure.subplots(2, 1, sharey=True)
     scenes = list(_by_scene(costs).values())
     for row, own in enumerate(scenes):
-        _bar(left, row, own)
-        right.barh(row, own[0].entries / 1e3, color="#8aa3c2", edgecolor="black", linewidth=0.5, height=0.6)
-        right.text(own[0].entries / 1e3, row, f" {own[0].unknowns} unknowns", va="center", fontsize=8)
-    left.set_yticks(range(len(scenes)), ASKED[: len(scenes)], family="monospace", fontsize=8)
-    left.invert_yaxis()
-    left.set_xlabel("time in the contact, part of the run [%]")
-    right.set_xlabel("matrix entries [thousands]")
-    right.margins(x=0.55)
-    for axes in (left, right):
+        _bar(upper, row, own)
+        lower.barh(row, own[0].entries / 1e3, color="#8aa3c2", edgecolor="black", linewidth=0.5, height=0.6)
+        lower.text(own[0].entries / 1e3, row, f" {own[0].unknowns} unknowns", va="center", fontsize=9)
+    upper.invert_yaxis()
+    upper.set_xlabel("time in the contact, part of the run [%]")
+    lower.set_xlabel("matrix entries [thousands]")
+    lower.margins(x=0.55)
+    for axes in (upper, lower):
+        axes.set_yticks(range(len(scenes)), ASKED[: len(scenes)], family="monospace", fontsize=8)
         axes.spines[["top", "right"]].set_visible(False)
-    handles, labels = left.get_legend_handles_labels()
+    handles, labels = upper.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
-    figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=7, fontsize=8, frameon=False)
+    figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=4, fontsize=9, frameon=False)
     return files.save_figure(figure, path)
 
 

@@ -7,17 +7,16 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import MODELS, RESULTS
 from studies import feb
 from studies.feb import Feb
+from studies.options import Folder, Timeout, console
 from studies.robustness import report, sanitized, solvers
 from studies.robustness.execution import Way
 from studies.robustness.trial import Finding, Trial
 
-console = Console(highlight=False, soft_wrap=True)
 QUICK_MODELS = ("elastic", "confined-creep", "platens")
 """All solvers and facets that do not match; two bodies; three bodies of which one passes nothing."""
 QUICK_STEPS, STEPS = 7, 12
@@ -34,8 +33,8 @@ def robustness(
     steps: Annotated[
         int | None, typer.Option(min=0, help="Number of time steps of each run; 0: all steps of the model.")
     ] = None,
-    timeout: Annotated[float, typer.Option(help="Limit each run to this wall time [s].")] = 600.0,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "robustness",
+    timeout: Timeout = 600.0,
+    folder: Folder = RESULTS / "robustness",
     jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous models.")] = sanitized.processors(),
 ) -> None:
     """Run models with a sanitized plugin: unchanged, with two threads, restarts, repeated steps, and other solvers.

@@ -8,18 +8,16 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 from rich.progress import track
 
 from harness.paths import DOCS, PLUGIN_VARIABLE, RESULTS
 from studies import stamps
+from studies.options import TWO_AT_MOST, Docs, Folder, Jobs, Limit, console
 from studies.pages import scene_results, stamped_rows
 from studies.pages.scene_results import Row
 from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison
 from studies.synthetic_scenes.collections_of_scenes import STUDIES, Collection, Study
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def synthetic_scenes(
@@ -27,13 +25,13 @@ def synthetic_scenes(
     only: Annotated[
         list[str] | None, typer.Option(help="Run scenes whose names contain this text. The option may be repeated.")
     ] = None,
-    folder: Annotated[Path, typer.Option(help="Write results to this folder.")] = RESULTS / "synthetic-scenes",
-    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous runs.")] = min(2, os.cpu_count() or 1),
-    limit: Annotated[float, typer.Option(help="Limit each run to this processor time [s].")] = LIMIT,
+    folder: Folder = RESULTS / "synthetic-scenes",
+    jobs: Jobs = TWO_AT_MOST,
+    limit: Limit = LIMIT,
     plugin: Annotated[
         Path | None, typer.Option(help=f"Load this plugin, not ${PLUGIN_VARIABLE} or that of the build.")
     ] = None,
-    docs: Annotated[bool, typer.Option("--docs", help="Also write the page of the documentation.")] = False,
+    docs: Docs = False,
 ) -> None:
     """Run each scene with FEBio's interface, converted, and with the penalties deleted.
 

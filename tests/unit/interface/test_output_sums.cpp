@@ -1,6 +1,8 @@
 /// Tests of sums for output: moments of flat pairs give the same sums as points.
 #include "contact/interface/output_sums.h"
 
+#include "contact/interface/output.h"
+
 #include "surfaces.h"
 
 #include <boost/test/unit_test.hpp>
@@ -87,4 +89,10 @@ BOOST_AUTO_TEST_CASE(flat_pairs_put_out_what_their_points_would) {
     check_equal(sums.facing, expected.facing);
     BOOST_TEST((sums.force - expected.force).norm() <= rounding * expected.force.norm());
   }
+}
+
+BOOST_AUTO_TEST_CASE(without_output_the_coefficients_of_friction_are_zero) {
+  const NodalOutput none;
+  BOOST_TEST(none.effective_friction(3) == 0);
+  BOOST_TEST(none.fluid_load_support(3) == 0);
 }

@@ -6,15 +6,13 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
 from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import stamps
+from studies.options import console
 from studies.pages.gallery import cycle, entries, figures, friction, page
-
-console = Console(highlight=False, soft_wrap=True)
 
 
 def gallery(
@@ -26,7 +24,7 @@ def gallery(
 ) -> None:
     """Run the models of the gallery, and write their page with pictures, curves and run times.
 
-    With --only, the page keeps the other models if the same plugin and FEBio made their results.
+    The page keeps the other models with --only if the same plugin and FEBio made their results.
     """
     known = {entry.model.name: entry for entry in entries.entries()}
     names = chosen(only, known)

@@ -23,6 +23,8 @@ COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
 STYLES = ("-", "--", ":")
 """Of lines, so that they differ in grey, too."""
 DPI = 110
+NAMES, LARGE = 11, 14
+"""Points of text over bodies, and of titles and scales: a phone shows a picture at a third of its width."""
 BOX = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
 """Behind names, so that they are read on every colour, and in grey."""
 ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
@@ -56,12 +58,14 @@ def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
         positions = np.stack([history[axis][state] for axis in "xyz"], axis=1)
         values = np.where(_without_solute(result.model), np.nan, history["c1"][state])
         drawn = draw_bodies(axes, result.model.mesh, entry.section, positions, values) or drawn
-        axes.set_title(f"{time:g} s", fontsize=10)
+        axes.set_title(f"{time:g} s", fontsize=LARGE)
         if state == states[0]:
             _names(axes, result.model.mesh, entry.section, positions)
             _scale(axes)
     if drawn is not None:
-        figure.colorbar(drawn, ax=places.tolist(), label=r"$\tilde c$ [mM]", shrink=0.9, extend="both")
+        bar = figure.colorbar(drawn, ax=places.tolist(), shrink=0.9, extend="both")
+        bar.set_label(r"$\tilde c$ [mM]", fontsize=LARGE)
+        bar.ax.tick_params(labelsize=LARGE)
     figure.savefig(path, dpi=DPI)
     return path
 
@@ -76,7 +80,7 @@ def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
             middle,
             0.5 * (near.min() + near.max()),
             part.name,
-            fontsize=7,
+            fontsize=NAMES,
             ha="center",
             va="center",
             bbox=BOX,
@@ -89,7 +93,9 @@ def _scale(axes: Axes) -> None:
     length = max(step for step in ROUND if step <= 0.4 * (right - left))
     level = low - 0.04 * (high - low)
     axes.plot([right - length, right], [level, level], "k-", linewidth=1.8, solid_capstyle="butt")
-    axes.text(right - 0.5 * length, level - 0.02 * (high - low), f"{length:g} mm", fontsize=7, ha="center", va="top")
+    axes.text(
+        right - 0.5 * length, level - 0.02 * (high - low), f"{length:g} mm", fontsize=NAMES, ha="center", va="top"
+    )
     axes.set_ylim(low - 0.16 * (high - low), high)
 
 
@@ -113,8 +119,8 @@ def _arrangement(aspect: float, pictures: int) -> tuple[int, int, tuple[float, f
 def draw_curves(curves: Curves, path: Path) -> Path:
     """Content of each part, mean concentration on each contact surface, and the force if there is one, over time."""
     count = 2 if curves.force is None else 3
-    figure = Figure(figsize=(3.5 * count, 2.8), layout="constrained")
-    places = figure.subplots(1, count, squeeze=False).ravel()
+    figure = Figure(figsize=(5.4, 2.4 * count), layout="constrained")
+    places = figure.subplots(count, 1)
     _panel(places[0], curves.times, curves.contents, "solute [nmol]")
     _panel(places[1], curves.times, curves.sides, r"mean $\tilde c$ of surface [mM]")
     if curves.force is not None:
@@ -130,4 +136,4 @@ def _panel(axes: Axes, times: Array, lines: Mapping[str, Array], label: str) -> 
     axes.set_ylabel(label)
     axes.spines[["top", "right"]].set_visible(False)
     if len(lines) > 1:
-        axes.legend(fontsize=8, frameon=False)
+        axes.legend(fontsize=9, frameon=False)

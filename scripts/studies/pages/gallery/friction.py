@@ -74,8 +74,8 @@ def draw_joint(run: RunResult, path: Path) -> Path:
     """Three states while the joint slides: fluid pressure, and below it friction along the contact."""
     way = END - DRAINED
     states = [run.nodes.at(DRAINED + part * way) for part in (0.125, 0.375, 1.0)]
-    figure = Figure(figsize=(11.0, 4.6), layout="constrained")
-    places = figure.subplots(2, 3, sharex=True, height_ratios=(1.0, 1.2), sharey="row")
+    figure = Figure(figsize=(7.6, 4.8), layout="constrained")
+    places = figure.subplots(2, 3, sharex=True, height_ratios=(1.0, 2.2), sharey="row")
     largest = max(float(run.nodes["p"][state].max()) for state in states)
     drawn = None
     for column, state in enumerate(states):
@@ -88,7 +88,8 @@ def draw_joint(run: RunResult, path: Path) -> Path:
     if drawn is not None:
         figure.colorbar(drawn, ax=places[0].tolist(), label=f"p / {1000.0 * largest:.0f} kPa", shrink=0.9)
     places[1, 0].set_ylabel("friction [kPa]")
-    places[1, 0].legend(frameon=False, fontsize=8, loc="upper left")
+    handles, labels = places[1, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, frameon=False, fontsize=11, ncols=3, loc="outside lower center")
     figure.savefig(path, dpi=DPI)
     return path
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -155,13 +155,13 @@ def where(shape: Shape, **chosen: Callable[[Nodes], np.ndarray]) -> Shape:
     """The same body with further sides: outer facets whose nodes all satisfy a condition on positions (..., 3)."""
     outer = shape.sides["outside"]
     further = {name: [f for f in outer if np.all(inside(shape.nodes[list(f)]))] for name, inside in chosen.items()}
-    return Shape(shape.element, shape.nodes, shape.elements, {**shape.sides, **further}, shape.thickness)
+    return replace(shape, sides={**shape.sides, **further})
 
 
 def union(shape: Shape, name: str, *sides: str) -> Shape:
     """The same body with a further side made of others."""
     facets = [facet for side in sides for facet in shape.sides[side]]
-    return Shape(shape.element, shape.nodes, shape.elements, {**shape.sides, name: facets}, shape.thickness)
+    return replace(shape, sides={**shape.sides, name: facets})
 
 
 def shell(cells: tuple[int, int], place: Place, thickness: float, element: str = "quad4") -> Shape:
