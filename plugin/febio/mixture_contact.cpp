@@ -190,7 +190,7 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   if (outcome.stiffens) model_->force_new_matrix();
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);
-  if (!outcome.done || owner_ == nullptr || owner_->accepts_solution()) return outcome.done;
+  if (!outcome.done || !breaks_bonds(0)) return outcome.done;
   model_->force_new_matrix();
   return false;
 }

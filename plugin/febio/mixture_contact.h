@@ -33,8 +33,9 @@ class ContactOwner {
 
   /// Sets the parameters of the contact to their present values.
   virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// True if the owner accepts a solution that the contact has accepted.
-  virtual bool accepts_solution() = 0;
+  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
+  /// breaks.
+  virtual bool breaks_bonds(double error) = 0;
   /// Called after a time step has been solved and accepted by the contact.
   virtual void step_solved() = 0;
   /// Called after an attempt at a time step has failed. The contact gives no advice of its own.
@@ -79,6 +80,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   double ambient_value(int dof) const override;
   bool has_reducible_penalty() const override { return core().effects().traction && setup_.has_reducible_penalty(); }
   const Assembly& assembly() const override { return assembly_; }
+  bool breaks_bonds(double error) override { return owner_ != nullptr && owner_->breaks_bonds(error); }
   void on_callback(unsigned int when) override;
 
  private:

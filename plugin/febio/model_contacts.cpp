@@ -6,6 +6,7 @@
 #include "solver/febio/solver_totals.h"
 #include "solver/line_search_guard.h"
 #include "solver/non_negative_concentrations.h"
+#include "solver/norm.h"
 #include "solver/predictor.h"
 #include "solver/residual_floor.h"
 
@@ -90,6 +91,13 @@ bool is_asked_for(const HelperSwitch& which, const std::vector<ContactInModel*>&
     return which.of(contact->bound().parameters()).given;
   });
   return which.of(given == active.end() ? ContactParameters() : (*given)->bound().parameters()).value;
+}
+
+/// The largest relative error of a load after an iteration, if the load has grown to its strength in it. The iteration
+/// leaves a fraction of the residual, and the next one changes the load by about this fraction of the last change. The
+/// last change is at most twice the load.
+double error_of_loads(const FENewtonSolver& solver) {
+  return 2 * newton::norm(solver.m_R1) / newton::norm(solver.m_R0);
 }
 
 /// True if no other contact and no constraint of FEBio couples nodes.
@@ -343,6 +351,13 @@ mixture_contact::ReducedPenalty ModelContacts::penalty_reduction() const {
 // ------------------------------------------------------------ the model, as the contacts' steps know it
 
 bool ModelContacts::apply_ambient() { return ambient_.apply(active()); }
+
+bool ModelContacts::breaks_bonds() {
+  bool any = false;
+  for (ContactInModel* contact : active()) any = contact->breaks_bonds(error_of_loads(*solver_.febio())) || any;
+  return any;
+}
+
 void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }

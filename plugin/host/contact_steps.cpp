@@ -122,6 +122,12 @@ void ContactSteps::before_matrix() {
     case Stepper::Matrix::nothing:
       break;
     case Stepper::Matrix::begin:
+      if (model_.breaks_bonds()) {
+        stepper_.accept();
+        model_.evaluate();
+        changes.values = true;
+        break;
+      }
       changes = begin_iteration();
       changes.values = helpers_.adapt() || changes.values;
       if (changes.values) evaluate_again();
