@@ -36,6 +36,8 @@ class ContactOwner {
   /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
   /// breaks.
   virtual bool breaks_bonds(double error) = 0;
+  /// True if bonds have softened in the present attempt at a step.
+  virtual bool is_any_softening() const = 0;
   /// Called after a time step has been solved and accepted by the contact.
   virtual void step_solved() = 0;
   /// Called after an attempt at a time step has failed. The contact gives no advice of its own.
@@ -81,6 +83,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   bool has_reducible_penalty() const override { return core().effects().traction && setup_.has_reducible_penalty(); }
   const Assembly& assembly() const override { return assembly_; }
   bool breaks_bonds(double error) override { return owner_ != nullptr && owner_->breaks_bonds(error); }
+  bool is_any_softening() const override { return owner_ != nullptr && owner_->is_any_softening(); }
   void on_callback(unsigned int when) override;
 
  private:

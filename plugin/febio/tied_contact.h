@@ -39,6 +39,7 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
 
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
   bool breaks_bonds(double error) override;
+  bool is_any_softening() const override { return iterations_.is_any_softening(); }
   void step_solved() override;
   void step_failed() override;
 

@@ -111,9 +111,9 @@ const std::vector<double>* FEBioSolver::reactions_of_clamp() const {
   return multiphasic != nullptr && multiphasic->m_forcePositive ? &multiphasic->m_Fr : nullptr;
 }
 
-double* FEBioSolver::line_search_tolerance() {
+Solver::LineSearch FEBioSolver::line_search() {
   FELineSearch* const search = febio()->GetLineSearch();
-  return search == nullptr ? nullptr : &search->m_LStol;
+  return search == nullptr ? LineSearch() : LineSearch{&search->m_LStol, &search->m_checkJacobians};
 }
 
 Solver::ResidualSquares FEBioSolver::residual_squares() {
