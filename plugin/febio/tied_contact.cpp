@@ -180,7 +180,8 @@ bool FEMixtureTie::breaks_bonds(double error) {
   const Index before = broken_nodes(*tie_);
   take_damage(damage_after(*tie_, fields(), CurrentTime(), error));
   const Index broken = broken_nodes(*tie_) - before;
-  if (broken > 0) log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and the iterations go on.");
+  if (broken > 0)
+    log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and the iterations continue.");
   return broken > 0;
 }
 

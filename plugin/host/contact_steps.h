@@ -76,7 +76,7 @@ class SteppedModel {
   /// Sets nodes out of contact to ambient values and frees all others. Returns true if any value or node has changed.
   virtual bool apply_ambient() = 0;
   /// Breaks bonds that would break at a solution near the state after an iteration. Returns true if any breaks; the
-  /// iterations then begin anew at this state.
+  /// iterations then begin again at this state.
   virtual bool breaks_bonds() { return false; }
   /// Evaluates bodies and contacts at the present state; this calls ContactSteps::evaluate().
   virtual void evaluate() = 0;
