@@ -15,11 +15,6 @@ class ContactInModel : public mixture_contact::Polymorphic {
   /// True if failed steps may reduce the contact's traction penalty.
   virtual bool has_reducible_penalty() const = 0;
   virtual const Assembly& assembly() const = 0;
-  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
-  /// breaks.
-  virtual bool breaks_bonds(double error) = 0;
-  /// True if bonds have softened in the present attempt at a step.
-  virtual bool is_any_softening() const = 0;
   /// Called by FEBio at the start of an analysis step, after a time step has been solved, and at the end of the run.
   virtual void on_callback(unsigned int when) = 0;
 };

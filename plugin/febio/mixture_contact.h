@@ -20,30 +20,6 @@ struct ContactProperties {
   MembraneProperties membrane;
 };
 
-/// Another interface to which a sliding contact belongs, such as a tie whose broken nodes are in sliding contact. Only
-/// the owner is in the model file.
-class ContactOwner {
- public:
-  ContactOwner() = default;
-  ContactOwner(const ContactOwner&) = delete;
-  ContactOwner& operator=(const ContactOwner&) = delete;
-  ContactOwner(ContactOwner&&) = delete;
-  ContactOwner& operator=(ContactOwner&&) = delete;
-  virtual ~ContactOwner() = default;
-
-  /// Sets the parameters of the contact to their present values.
-  virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
-  /// breaks.
-  virtual bool breaks_bonds(double error) = 0;
-  /// True if bonds have softened in the present attempt at a step.
-  virtual bool is_any_softening() const = 0;
-  /// Called after a time step has been solved and accepted by the contact.
-  virtual void step_solved() = 0;
-  /// Called after an attempt at a time step has failed. The contact gives no advice of its own.
-  virtual void step_failed() = 0;
-};
-
 /// Receives FEBio's calls. It passes calls that concern this contact to its parts, and those that concern all contacts
 /// to ModelContacts.
 class FEMixtureContact : public FEContactInterface, public ContactInModel {
@@ -75,15 +51,13 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   bool UseNodalIntegration() override { return false; }
 
   /// Makes the contact belong to another interface, to which it keeps a reference.
-  void act_for(ContactOwner& owner) { owner_ = &owner; }
+  void act_for(ContactOwner& owner) { bound_.belong_to(owner); }
 
   bool is_active() const override { return IsActive(); }
   BoundContact& bound() override { return bound_; }
   double ambient_value(int dof) const override;
   bool has_reducible_penalty() const override { return core().effects().traction && setup_.has_reducible_penalty(); }
   const Assembly& assembly() const override { return assembly_; }
-  bool breaks_bonds(double error) override { return owner_ != nullptr && owner_->breaks_bonds(error); }
-  bool is_any_softening() const override { return owner_ != nullptr && owner_->is_any_softening(); }
   void on_callback(unsigned int when) override;
 
  private:
@@ -107,7 +81,6 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   ContactSetup setup_;
   Assembly assembly_;
   ContactOutput output_;
-  ContactOwner* owner_ = nullptr;  ///< null if the contact is in the model file itself
   /// True if nodes that overlapped have been relocated before the first step.
   bool relocated_ = false;
   bool may_run_ = true;  ///< true if the requested effects exist in the present step

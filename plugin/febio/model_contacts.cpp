@@ -6,7 +6,6 @@
 #include "solver/febio/solver_totals.h"
 #include "solver/line_search_guard.h"
 #include "solver/non_negative_concentrations.h"
-#include "solver/norm.h"
 #include "solver/predictor.h"
 #include "solver/residual_floor.h"
 #include "solver/search_after_failure.h"
@@ -94,13 +93,6 @@ bool is_asked_for(const HelperSwitch& which, const std::vector<ContactInModel*>&
   return which.of(given == active.end() ? ContactParameters() : (*given)->bound().parameters()).value;
 }
 
-/// The largest relative error of a load after an iteration, if the load has grown to its strength in it. The iteration
-/// leaves a fraction of the residual, and the next one changes the load by about this fraction of the last change. The
-/// last change is at most twice the load.
-double error_of_loads(const FENewtonSolver& solver) {
-  return 2 * newton::norm(solver.m_R1) / newton::norm(solver.m_R0);
-}
-
 /// True if no other contact and no constraint of FEBio couples nodes.
 bool are_alone(const std::vector<ContactInModel*>& active, FEModel& fem) {
   return mixture_contact::number_of(active) == fem.SurfacePairConstraints() && fem.NonlinearConstraints() == 0;
@@ -136,7 +128,10 @@ double load_rounding_square(const std::vector<ContactInModel*>& contacts) {
 
 /// True if bonds of a contact have softened in the present attempt at a step.
 bool is_any_softening(const std::vector<ContactInModel*>& contacts) {
-  return std::any_of(contacts.begin(), contacts.end(), [](ContactInModel* each) { return each->is_any_softening(); });
+  return std::any_of(contacts.begin(), contacts.end(), [](ContactInModel* each) {
+    const ContactOwner* const owner = each->bound().owner();
+    return owner != nullptr && !owner->advice().empty();
+  });
 }
 
 /// Eliminates the nodes' unknowns from the rows of loads that are unknowns.
@@ -360,13 +355,6 @@ mixture_contact::ReducedPenalty ModelContacts::penalty_reduction() const {
 // ------------------------------------------------------------ the model, as the contacts' steps know it
 
 bool ModelContacts::apply_ambient() { return ambient_.apply(active()); }
-
-bool ModelContacts::breaks_bonds() {
-  bool any = false;
-  for (ContactInModel* contact : active()) any = contact->breaks_bonds(error_of_loads(*solver_.febio())) || any;
-  return any;
-}
-
 void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }

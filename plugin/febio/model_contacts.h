@@ -52,7 +52,6 @@ class ModelContacts : public mixture_contact::SteppedModel {
 
   std::vector<mixture_contact::SteppedContact*> active_contacts() override;
   bool apply_ambient() override;
-  bool breaks_bonds() override;
   void evaluate() override;
   void evaluate_bodies_after_contacts() override;
   void evaluate_residual(mixture_contact::Changed what) override;

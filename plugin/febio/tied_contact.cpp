@@ -191,8 +191,8 @@ void FEMixtureTie::step_solved() {
   take_damage(std::move(damage));
 }
 
-void FEMixtureTie::step_failed() {
-  if (iterations_.is_any_softening()) log_.line_once(failed_softening_line(log_.title()));
+std::string FEMixtureTie::advice() const {
+  return iterations_.is_any_softening() ? failed_softening_line(log_.title()) : "";
 }
 
 void FEMixtureTie::take_damage(DamageState damage) {

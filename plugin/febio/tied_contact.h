@@ -39,9 +39,8 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
 
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
   bool breaks_bonds(double error) override;
-  bool is_any_softening() const override { return iterations_.is_any_softening(); }
   void step_solved() override;
-  void step_failed() override;
+  std::string advice() const override;
 
  private:
   bool prepare_surfaces();

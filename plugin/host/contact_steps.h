@@ -43,6 +43,9 @@ class SteppedContact : public Polymorphic {
   virtual bool is_solution() { return core().is_solution(fields()); }
   /// True if the state has edge nodes that have to be tried once more; it is not a solution then.
   virtual bool reconsiders_edge() { return mixture_contact::reconsiders_edge(core(), fields()); }
+  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
+  /// breaks; iterations then begin again at this state.
+  virtual bool breaks_bonds(double /*error*/) { return false; }
   /// True if overlaps that are detected at a converged state change the loads.
   virtual bool finds_overlap();
 
@@ -75,9 +78,6 @@ class SteppedModel {
   virtual std::vector<SteppedContact*> active_contacts() = 0;
   /// Sets nodes out of contact to ambient values and frees all others. Returns true if any value or node has changed.
   virtual bool apply_ambient() = 0;
-  /// Breaks bonds that would break at a solution near the state after an iteration. Returns true if any breaks; the
-  /// iterations then begin again at this state.
-  virtual bool breaks_bonds() { return false; }
   /// Evaluates bodies and contacts at the present state; this calls ContactSteps::evaluate().
   virtual void evaluate() = 0;
   /// Requests another evaluation of the bodies after that of the contacts, during an evaluation.
@@ -153,6 +153,7 @@ class ContactSteps {
   void evaluate_again();
   void bring_residual_up_to_date();
   void start_at_prediction();
+  bool breaks_bonds();
   bool keeps_matrix();
   bool is_solution();
 
