@@ -3,6 +3,8 @@
 
 #include <FECore/FECoreClass.h>
 
+#include <vector>
+
 class FEModel;
 
 /// A model with one solute has <ambient_concentration>c</ambient_concentration>. A model with several solutes has
@@ -18,3 +20,6 @@ class FEMixtureAmbientConcentration : public FECoreClass {
   DECLARE_FECORE_CLASS()
   FECORE_BASE_CLASS(FEMixtureAmbientConcentration)
 };
+
+/// The ambient concentrations in a model file.
+using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;

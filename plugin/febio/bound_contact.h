@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact_log.h"
+#include "contact_owner.h"
 #include "dof_map.h"
 #include "host/contact_parameters.h"
 #include "host/contact_steps.h"
@@ -35,6 +36,11 @@ class BoundContact : public mixture_contact::SteppedContact {
   const ContactLog& log() const { return log_; }
   std::string name() const { return log_.name(); }
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields() const override;
+  /// Makes the contact belong to an owner, to which it keeps a reference.
+  void belong_to(ContactOwner& owner) { owner_ = &owner; }
+  /// The owner; null if the contact is in the model file itself.
+  ContactOwner* owner() const { return owner_; }
+  bool breaks_bonds(double error) override { return owner_ != nullptr && owner_->breaks_bonds(error); }
   void project() override;
   void prepare_step() override;
   void note_beginning() override;
@@ -58,6 +64,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   DofMap& dofs_;
   const ContactParameters& parameters_;
   const ContactLog& log_;
+  ContactOwner* owner_ = nullptr;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   mixture_contact::NodeNumbers numbers_;  ///< numbers of the core's nodes in the mesh
   int nodes_of_mesh_ = 0;

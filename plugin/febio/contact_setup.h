@@ -11,9 +11,6 @@
 #include <string>
 #include <vector>
 
-/// The ambient concentrations in a model file.
-using AmbientConcentrations = std::vector<FEMixtureAmbientConcentration*>;
-
 /// True if the solvers of all steps accept nodal multipliers as unknowns; if false, the reason is logged.
 bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLog& log);
 

@@ -85,7 +85,7 @@ bool FEMixtureContact::Init() {
 }
 
 void FEMixtureContact::read_properties() {
-  if (owner_ != nullptr) owner_->give_parameters(parameters_, properties_.ambient);
+  if (bound_.owner() != nullptr) bound_.owner()->give_parameters(parameters_, properties_.ambient);
   read_membrane(properties_.membrane, parameters_.membrane);
 }
 
@@ -110,7 +110,7 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
   // Loads are no unknowns in two cases. FEBio repeats a failed step with the same unknowns, but elements may have
   // eroded in it; and a matrix with linear constraints accepts only whole blocks.
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
-  const bool any = owner_ == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) &&
+  const bool any = bound_.owner() == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) &&
                    core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
                    model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
                    dofs_.has_free_node(Side::secondary);
@@ -190,7 +190,7 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   if (outcome.stiffens) model_->force_new_matrix();
   for (const std::string& line : outcome.lines) log_.line(line);
   if (!outcome.warning.empty()) log_.warning(outcome.warning);
-  if (!outcome.done || owner_ == nullptr || owner_->accepts_solution()) return outcome.done;
+  if (!outcome.done || !bound_.breaks_bonds(0)) return outcome.done;
   model_->force_new_matrix();
   return false;
 }
@@ -199,15 +199,12 @@ void FEMixtureContact::on_callback(unsigned int when) {
   if (when == CB_TIMESTEP_SOLVED) {
     output_.store();
     core().accept_step(bound_.fields());
-    if (owner_ != nullptr) owner_->step_solved();
+    if (bound_.owner() != nullptr) bound_.owner()->step_solved();
   }
   if (when == CB_TIMESTEP_FAILED) {
-    const std::string advice = bound_.fail_step();
-    if (owner_ != nullptr) {
-      owner_->step_failed();
-    } else if (!advice.empty()) {
-      log_.line(advice);
-    }
+    std::string advice = bound_.fail_step();
+    if (bound_.owner() != nullptr) advice = bound_.owner()->advice();
+    if (!advice.empty()) log_.line_once(advice);
   }
   if (when == CB_SOLVED) output_.log_timings();
 }

@@ -20,27 +20,6 @@ struct ContactProperties {
   MembraneProperties membrane;
 };
 
-/// Another interface to which a sliding contact belongs, such as a tie whose broken nodes are in sliding contact. Only
-/// the owner is in the model file.
-class ContactOwner {
- public:
-  ContactOwner() = default;
-  ContactOwner(const ContactOwner&) = delete;
-  ContactOwner& operator=(const ContactOwner&) = delete;
-  ContactOwner(ContactOwner&&) = delete;
-  ContactOwner& operator=(ContactOwner&&) = delete;
-  virtual ~ContactOwner() = default;
-
-  /// Sets the parameters of the contact to their present values.
-  virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// True if the owner accepts a solution that the contact has accepted.
-  virtual bool accepts_solution() = 0;
-  /// Called after a time step has been solved and accepted by the contact.
-  virtual void step_solved() = 0;
-  /// Called after an attempt at a time step has failed. The contact gives no advice of its own.
-  virtual void step_failed() = 0;
-};
-
 /// Receives FEBio's calls. It passes calls that concern this contact to its parts, and those that concern all contacts
 /// to ModelContacts.
 class FEMixtureContact : public FEContactInterface, public ContactInModel {
@@ -72,7 +51,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   bool UseNodalIntegration() override { return false; }
 
   /// Makes the contact belong to another interface, to which it keeps a reference.
-  void act_for(ContactOwner& owner) { owner_ = &owner; }
+  void act_for(ContactOwner& owner) { bound_.belong_to(owner); }
 
   bool is_active() const override { return IsActive(); }
   BoundContact& bound() override { return bound_; }
@@ -102,7 +81,6 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   ContactSetup setup_;
   Assembly assembly_;
   ContactOutput output_;
-  ContactOwner* owner_ = nullptr;  ///< null if the contact is in the model file itself
   /// True if nodes that overlapped have been relocated before the first step.
   bool relocated_ = false;
   bool may_run_ = true;  ///< true if the requested effects exist in the present step

@@ -8,6 +8,7 @@
 #include "solver/non_negative_concentrations.h"
 #include "solver/predictor.h"
 #include "solver/residual_floor.h"
+#include "solver/search_after_failure.h"
 
 #include <FEBioMech/FEResidualVector.h>
 #include <FEBioMech/FESolidSolver2.h>
@@ -125,6 +126,14 @@ double load_rounding_square(const std::vector<ContactInModel*>& contacts) {
   return sum;
 }
 
+/// True if bonds of a contact have softened in the present attempt at a step.
+bool is_any_softening(const std::vector<ContactInModel*>& contacts) {
+  return std::any_of(contacts.begin(), contacts.end(), [](ContactInModel* each) {
+    const ContactOwner* const owner = each->bound().owner();
+    return owner != nullptr && !owner->advice().empty();
+  });
+}
+
 /// Eliminates the nodes' unknowns from the rows of loads that are unknowns.
 newton::RowOperations eliminated(const std::vector<ContactInModel*>& contacts, FEGlobalMatrix& matrix) {
   newton::RowOperations operations;
@@ -193,7 +202,10 @@ ModelContacts::ModelContacts(FEModel& fem)
       newton::Device::residual_floor,
       std::make_unique<newton::ResidualFloor>(solver_, [this] { return load_rounding_square(active()); }),
       [this] { return solver_.is_newton() && devices_.is_on(newton::Device::residual_floor); }, devices_.record());
-  helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), [this] { return solver_.is_newton(); });
+  const auto is_newton = [this] { return solver_.is_newton(); };
+  helpers_.add(std::make_unique<newton::SearchAfterFailure>(solver_, [this] { return is_any_softening(active()); }),
+               is_newton);
+  helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), is_newton);
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
                       CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,

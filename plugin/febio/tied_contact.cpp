@@ -172,14 +172,17 @@ bool FEMixtureTie::Augment(int augmentation, const FETimeInfo& /*time*/) {
   return outcome.done;
 }
 
-bool FEMixtureTie::accepts_solution() {
-  if (!is_augmented_ || !std::holds_alternative<Brittle>(tie_->breaking())) return true;
+bool FEMixtureTie::breaks_bonds(double error) {
+  if (!std::holds_alternative<Brittle>(tie_->breaking())) return false;
+  // Loads are not those of a solution before augmentations.
+  const bool is_augmented = tie_->settings().enforcement == Enforcement::augmented_lagrangian;
+  if (error > 0 ? is_augmented : !is_augmented_) return false;
   const Index before = broken_nodes(*tie_);
-  take_damage(damage_after(*tie_, fields(), CurrentTime()));
+  take_damage(damage_after(*tie_, fields(), CurrentTime(), error));
   const Index broken = broken_nodes(*tie_) - before;
   if (broken > 0)
-    log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and FEBio solves the step again.");
-  return broken == 0;
+    log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and the iterations continue.");
+  return broken > 0;
 }
 
 void FEMixtureTie::step_solved() {
@@ -188,8 +191,8 @@ void FEMixtureTie::step_solved() {
   take_damage(std::move(damage));
 }
 
-void FEMixtureTie::step_failed() {
-  if (iterations_.is_any_softening()) log_.line_once(failed_softening_line(log_.title()));
+std::string FEMixtureTie::advice() const {
+  return iterations_.is_any_softening() ? failed_softening_line(log_.title()) : "";
 }
 
 void FEMixtureTie::take_damage(DamageState damage) {

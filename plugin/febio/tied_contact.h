@@ -38,9 +38,9 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   bool UseNodalIntegration() override { return false; }
 
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
-  bool accepts_solution() override;
+  bool breaks_bonds(double error) override;
   void step_solved() override;
-  void step_failed() override;
+  std::string advice() const override;
 
  private:
   bool prepare_surfaces();

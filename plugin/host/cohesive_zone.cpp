@@ -62,7 +62,8 @@ std::string cohesive_zone_line(const Tie& tie, const FacetMaterials& materials, 
 
 std::string failed_softening_line(const std::string& tie) {
   return tie +
-         ": bonds soften in the step that has failed. A step in which a crack jumps over several nodes takes 50 to 100 "
-         "iterations: set <max_refs> to 150, <max_ups> and <lstol> to 0, and <dtol> to 1e-6. If steps still fail, use "
-         "shorter steps, finer facets or <viscosity>. The log reports this once in a run.";
+         ": bonds soften in the step that has failed. FEBio repeats it with a line search. A step in which a crack jumps "
+         "over several nodes takes 50 to 100 iterations: set <max_refs> to 150, <max_ups> and <lstol> to 0, and <dtol> to "
+         "1e-6. If steps still fail, set <viscosity> to a tenth of the time step, or use finer facets. The log reports "
+         "this once in a run.";
 }

@@ -110,6 +110,16 @@ void ContactSteps::start_at_prediction() {
   }
 }
 
+/// Breaks bonds that would break at a solution near the state after an iteration.
+bool ContactSteps::breaks_bonds() {
+  // The next iteration changes a load by about the same fraction of the last change that is left of the residual. The
+  // last change is at most twice a load that exceeds its strength.
+  const double error = 2 * helpers_.residual_left();
+  bool any = false;
+  for (SteppedContact* contact : model_.active_contacts()) any = contact->breaks_bonds(error) || any;
+  return any;
+}
+
 void ContactSteps::before_matrix() {
   // At the start of a step and after an augmentation, an evaluation has begun the iteration, and the host's residual is
   // valid. Otherwise, the host accepts a state with a residual from before the change of the loads; the residual is
@@ -122,6 +132,12 @@ void ContactSteps::before_matrix() {
     case Stepper::Matrix::nothing:
       break;
     case Stepper::Matrix::begin:
+      if (breaks_bonds()) {
+        stepper_.accept();
+        model_.evaluate();
+        changes.values = true;
+        break;
+      }
       changes = begin_iteration();
       changes.values = helpers_.adapt() || changes.values;
       if (changes.values) evaluate_again();

@@ -43,6 +43,9 @@ class SteppedContact : public Polymorphic {
   virtual bool is_solution() { return core().is_solution(fields()); }
   /// True if the state has edge nodes that have to be tried once more; it is not a solution then.
   virtual bool reconsiders_edge() { return mixture_contact::reconsiders_edge(core(), fields()); }
+  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
+  /// breaks; iterations then begin again at this state.
+  virtual bool breaks_bonds(double /*error*/) { return false; }
   /// True if overlaps that are detected at a converged state change the loads.
   virtual bool finds_overlap();
 
@@ -150,6 +153,7 @@ class ContactSteps {
   void evaluate_again();
   void bring_residual_up_to_date();
   void start_at_prediction();
+  bool breaks_bonds();
   bool keeps_matrix();
   bool is_solution();
 

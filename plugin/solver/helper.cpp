@@ -1,6 +1,8 @@
 #include "helper.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +21,12 @@ std::string Helpers::unavailable(Device device) const {
   const auto found = std::find_if(helpers_.begin(), helpers_.end(), is_it);
   if (found == helpers_.end()) throw std::invalid_argument(std::string("no helper of the solver is ") + name(device));
   return found->helper->unavailable();
+}
+
+double Helpers::residual_left() const {
+  if (solver_ == nullptr || !solver_->is_newton()) return std::numeric_limits<double>::infinity();
+  const Solver::ResidualSquares squares = solver_->residual_squares();
+  return std::sqrt(squares.now / squares.before);
 }
 
 template <class Use>

@@ -98,6 +98,8 @@ class Helpers {
   bool predict(const std::function<void()>& arrived);
   void complete_residual();
   bool multiply_by_matrix() const;
+  /// The fraction of the residual that the last iteration has left; infinite without a Newton solver [-].
+  double residual_left() const;
   void end_step();
   void rewind();
   /// Asks the helper that prescribes a nodal value, if any, to keep it (`keep`) or to free it. Returns true if the

@@ -32,7 +32,7 @@ void LineSearchGuard::try_increment(const std::vector<double>& increment) {
 }
 
 bool LineSearchGuard::rejects() {
-  double* const tolerance = solver_.line_search_tolerance();
+  double* const tolerance = solver_.line_search().tolerance;
   if (tolerance == nullptr || *tolerance == 0 || has_acted_) return false;
   if (tried_ >= least_part * norm(solver_.vectors().increment)) return false;
   if (is_rounding(solver_.residual_squares())) return false;
@@ -45,7 +45,7 @@ bool LineSearchGuard::rejects() {
 }
 
 void LineSearchGuard::allow_search() {
-  double* const tolerance = solver_.line_search_tolerance();
+  double* const tolerance = solver_.line_search().tolerance;
   if (!tolerance_ || tolerance == nullptr) return;
   *tolerance = *tolerance_;
   tolerance_.reset();

@@ -90,13 +90,21 @@ class Solver {
   virtual void set_totals(const std::vector<double>& change) = 0;
   /// Reactions at prescribed values per equation, from the last residual; null if the solver clamps no concentrations.
   virtual const std::vector<double>* reactions_of_clamp() const = 0;
-  /// The tolerance of the line search, which is 0 if it is disabled; null if the solver has no line search.
-  virtual double* line_search_tolerance() = 0;
-  /// Squared norms of the residual in the last trial (`now`) and at the start of the step (`first`). The solver accepts
-  /// a residual below `least`; null if the residual contains other quantities than forces.
+  /// The settings of the solver's line search; null if it has none.
+  struct LineSearch {
+    double* tolerance = nullptr;        ///< 0 if the search is disabled [-]
+    bool* halves_inversions = nullptr;  ///< true if the search halves increments that invert elements
+
+    bool exists() const { return tolerance != nullptr; }
+  };
+  virtual LineSearch line_search() = 0;
+  /// Squared norms of the residual in the last trial (`now`), at the start of the step (`first`), and at the start of
+  /// the iteration (`before`). The solver accepts a residual below `least`; null if the residual contains other
+  /// quantities than forces.
   struct ResidualSquares {
     double now = 0;
     double first = 0;
+    double before = 0;
     double* least = nullptr;  ///< squared norm below which the residual is accepted [N^2]
   };
   virtual ResidualSquares residual_squares() = 0;

@@ -31,6 +31,7 @@ class FakeSolver : public newton::Solver {
   bool predictable = true;
   bool known_totals = true;
   double tolerance = 0.9;
+  bool halves_inversions = false;
   double least_residual = 1e-20;
   bool has_forces_alone = true;
   bool searches = true;
@@ -102,9 +103,9 @@ class FakeSolver : public newton::Solver {
   bool has_known_totals() const override { return known_totals; }
   void set_totals(const std::vector<double>& by) override { change = totals = by; }
   const std::vector<double>* reactions_of_clamp() const override { return clamps ? &reactions : nullptr; }
-  double* line_search_tolerance() override { return searches ? &tolerance : nullptr; }
+  LineSearch line_search() override { return searches ? LineSearch{&tolerance, &halves_inversions} : LineSearch(); }
   ResidualSquares residual_squares() override {
-    return {squares.now, squares.first, has_forces_alone ? &least_residual : nullptr};
+    return {squares.now, squares.first, squares.before, has_forces_alone ? &least_residual : nullptr};
   }
   int iterations() const override { return taken_iterations; }
   bool is_predictable() const override { return predictable; }

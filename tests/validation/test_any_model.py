@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from scenes.tied_columns import steps
 
 from studies.models import small
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved, rigid, step
@@ -387,3 +389,15 @@ def test_tension_is_that_of_sliding_elastic(solve):
     free = displacements(solve("free", drawn("sliding-mixture", "").text().replace("<tension>1</tension>", ""))[0])
     assert np.abs(free - febio).max() > 0.02
     np.testing.assert_allclose(own, febio, atol=0.01 * 0.1)
+
+
+@pytest.mark.parametrize("integration", ["", "<integration>gauss</integration>"], ids=["default", "gauss"])
+def test_uniform_tension_is_that_of_sliding_elastic_to_rounding(solve, integration):
+    """Without Poisson's effect, traction and gap are uniform."""
+    found = []
+    for kind, params in (("sliding-mixture", integration), ("sliding-elastic", "<search_radius>1</search_radius>")):
+        blocks = (elastic("one", 1, 1, 0.0), elastic("two", 2, 2, 0.0))
+        uniform = replace(drawn(kind, params), materials=blocks, control=steps("solid", 4, 0.25))
+        found.append(displacements(solve(kind, uniform)[0]))
+    assert np.abs(found[1]).max() == pytest.approx(0.1)
+    assert np.abs(found[0] - found[1]).max() <= 1e-8 * 0.1

@@ -12,7 +12,16 @@ import numpy as np
 import pytest
 from scenes.breaking_blocks import CYCLES, soaked_blocks
 from scenes.contents import Soaked
-from scenes.delamination import Strips, double_cantilever_beam, soaked_beam, with_energy
+from scenes.delamination import (
+    Strips,
+    double_cantilever_beam,
+    path_of_peeling,
+    peeled,
+    soaked,
+    soaked_beam,
+    two_strips,
+    with_energy,
+)
 
 from harness.run import engine
 from studies.models import small
@@ -41,11 +50,28 @@ def times_of(folder: Path, file: str) -> np.ndarray:
 # ------------------------------------------------------------ balances
 
 
-def lost(solve, steps: int) -> tuple[float, float]:
-    """Of a double cantilever beam: the part of the work without an energy, and of the solute that is lost or made.
+def losses(
+    folder: Path, document: Document, strips: Strips, force: np.ndarray, moved: np.ndarray
+) -> tuple[float, float]:
+    """The part of the work without an energy, and the part of the solute that is lost or made.
 
-    The work is stored in the solid, dissipated by bonds, or done on the fluid.
+    The work is stored in the solid, dissipated by bonds, or done on the fluid. `force` and `moved`: of what is moved,
+    shape (times, components).
     """
+    steps = 0.5 * (force[1:] + force[:-1]) * np.diff(moved, axis=0)
+    work = np.concatenate([[0], np.cumsum(steps.sum(axis=1))])
+    inside = Soaked(document, small.table(folder / "nodes.txt"))
+    rows = small.table(folder / "surface-up-tied.txt")[:, 0]
+    stored = small.table(folder / "sed.txt")[..., 0].sum(axis=1) * strips.element
+    left = work - stored - inside.work_on_fluid() - rows[:, [3, 4, 6]].sum(axis=1)
+    assert rows[-1, 5] > 0
+    assert inside.work_on_fluid()[-1] > 0.05 * work[-1]
+    content = inside.solute.sum(axis=1)
+    return float(np.abs(left / work[-1]).max()), float(np.abs(content / content[0] - 1).max())
+
+
+def lost_by_beam(solve, steps: int) -> tuple[float, float]:
+    """The losses of a double cantilever beam."""
     strips = Strips(steps=steps, more=SEALED)
     document = soaked_beam(strips)
     folder, finished = solve(f"beam-{steps}", with_energy(document.text()))
@@ -55,25 +81,35 @@ def lost(solve, steps: int) -> tuple[float, float]:
         name: np.array(re.search(rf'<NodeSet name="{name}-left">([^<]*)<', document.mesh).group(1).split(","), int) - 1
         for name in ("low", "up")
     }
-    load = nodes[:, ends["low"], 5].sum(axis=1) - nodes[:, ends["up"], 5].sum(axis=1)
+    load = nodes[:, ends["low"], 6].sum(axis=1) - nodes[:, ends["up"], 6].sum(axis=1)
     opening = 0.5 * strips.opening * times_of(folder, "nodes.txt")
-    work = np.concatenate([[0], np.cumsum(0.5 * (load[1:] + load[:-1]) * np.diff(opening))])
-    soaked = Soaked(document, nodes)
-    rows = small.table(folder / "surface-up-tied.txt")[:, 0]
-    stored = small.table(folder / "sed.txt")[..., 0].sum(axis=1) * strips.element
-    left = work - stored - soaked.work_on_fluid() - rows[:, [3, 4, 6]].sum(axis=1)
-    assert rows[-1, 5] > 0
-    assert soaked.work_on_fluid()[-1] > 0.05 * work[-1]
-    content = soaked.solute.sum(axis=1)
-    return float(np.abs(left / work[-1]).max()), float(np.abs(content / content[0] - 1).max())
+    return losses(folder, document, strips, load[:, None], opening[:, None])
+
+
+def lost_by_peeling(solve, steps: int) -> tuple[float, float]:
+    """The losses of a strip that is peeled off at an angle."""
+    strips = Strips(cells=2, length=12.0, crack=4.0, energy=5.0, strength=7.0, opening=8.0, steps=steps, more=SEALED)
+    angle = np.radians(60)
+    document = soaked(peeled(strips, angle), strips)
+    folder, _ = solve(f"peel-{steps}", with_energy(document.text()))
+    places = np.array(two_strips(strips).nodes)
+    end = np.abs(places[:, [0, 2]] - (0.0, 0.5 * strips.thickness)).max(axis=1) < 1e-9
+    force = small.table(folder / "nodes.txt")[:, end, 5:].sum(axis=1)
+    path = path_of_peeling(strips, angle)
+    times = times_of(folder, "nodes.txt")
+    moved = np.column_stack([np.interp(times, path[:, 0], path[:, k]) for k in (1, 2)])
+    return losses(folder, document, strips, np.sign(force[-1] @ (moved[-1] - moved[-2])) * force, moved)
 
 
 @pytest.mark.slow
-def test_work_and_solute_are_kept_while_a_crack_runs(solve):
-    work, solute = lost(solve, 40)
+@pytest.mark.parametrize(
+    ("lost", "steps"), [(lost_by_beam, 40), (lost_by_peeling, 80)], ids=["double cantilever beam", "peeling"]
+)
+def test_work_and_solute_are_kept_while_a_crack_runs(solve, lost, steps):
+    work, solute = lost(solve, steps)
     assert work <= 1e-3
     assert solute <= ALL_KEPT
-    assert work < lost(solve, 20)[0]
+    assert work < lost(solve, steps // 2)[0]
 
 
 # ------------------------------------------------------------ what crosses

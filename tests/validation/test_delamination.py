@@ -21,6 +21,7 @@ from scenes.delamination import (
 )
 
 from studies.models import small
+from studies.models.small import moved
 
 pytestmark = pytest.mark.mixture_only
 
@@ -114,6 +115,22 @@ def test_steps_in_which_bonds_shear_converge_with_the_default_penalty(solve, str
     folder, _ = solve("drawn-along", drawn_along(strips))
     assert "failed to converge" not in (folder / "model.log").read_text()
     assert small.table(folder / "surface-up-tied.txt")[-1, 0, 5] > 0
+
+
+def test_the_last_bonds_of_a_pressed_layer_break_at_once(solve):
+    """Full increments of Newton's method would invert elements there, in shorter steps as well."""
+    strips = replace(UNCRACKED, strength=0.5, energy=0.05, opening=1.08)
+    along = drawn_along(strips)
+    pressed = replace(along, boundary=[*along.boundary, moved("up-top", "z", -0.01)])
+    folder, finished = solve("last-bonds", pressed)
+    assert finished.report.retries <= 2
+    rows = small.table(folder / "surface-up-tied.txt")[:, 0]
+    area = strips.length * strips.width
+    assert rows[-1, 5] == pytest.approx(area, rel=1e-9)
+    assert rows[-1, 3] == pytest.approx(strips.energy * area, rel=1e-6)
+    assert np.abs(rows[-1, 0]) <= 1e-3 * np.abs(rows[:, 0]).max()
+    broken = np.diff(rows[:, 5]) / area
+    assert broken.max() > 0.25
 
 
 # ------------------------------------------------------------ end-notched flexure

@@ -14,38 +14,44 @@ struct Advance {
   double opening = 0;  ///< opening lambda [mm]
 };
 
-Advance advance(const Unbreakable& /*law*/, const Tie& /*tie*/, Index /*n*/, const TieLoads& /*loads*/,
-                const Vector3d& /*normal*/) {
-  return {0, {}, 0};
+/// A tied node at a state.
+struct Bond {
+  const Tie& tie;
+  const TieLoads& loads;
+  Index node;        ///< index of the tied node
+  Vector3d normal;   ///< unit normal out of the primary body
+  double error = 0;  ///< largest relative error of the traction [-]
+};
+
+Advance advance(const Unbreakable& /*law*/, const Bond& /*bond*/) { return {0, {}, 0}; }
+
+Advance advance(const Brittle& law, const Bond& bond) {
+  const Vector3d traction = bond.loads.traction.col(bond.node);
+  if (bond.error >= 1 || !exceeds(law, (1 - bond.error) * traction, bond.normal)) return {0, {}, 0};
+  return {1, {0.5 * traction.dot(bond.loads.gap.col(bond.node)), 0}, 0};
 }
 
-Advance advance(const Brittle& law, const Tie& /*tie*/, Index n, const TieLoads& loads, const Vector3d& normal) {
-  const Vector3d traction = loads.traction.col(n);
-  if (!exceeds(law, traction, normal)) return {0, {}, 0};
-  return {1, {0.5 * traction.dot(loads.gap.col(n)), 0}, 0};
-}
-
-Advance advance(const Cohesive& law, const Tie& tie, Index n, const TieLoads& loads, const Vector3d& normal) {
-  const double before = tie.state().damage.damage[n];
-  const double after = loads.damage[n];
-  const Vector3d gap = loads.gap.col(n);
-  const double opening = opening_size(gap, normal);
+Advance advance(const Cohesive& law, const Bond& bond) {
+  const DamageState& state = bond.tie.state().damage;
+  const double before = state.damage[bond.node];
+  const double after = bond.loads.damage[bond.node];
+  const Vector3d gap = bond.loads.gap.col(bond.node);
+  const double opening = opening_size(gap, bond.normal);
   if (!(after > before)) return {before, {}, opening};
-  const double from = tie.state().damage.opening[n];
-  return {after, dissipated(law, tie.traction_penalty(n), before, after, from, gap, normal), opening};
+  const double penalty = bond.tie.traction_penalty(bond.node);
+  return {after, dissipated(law, penalty, before, after, state.opening[bond.node], gap, bond.normal), opening};
 }
 
 }  // namespace
 
-DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time) {
+DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time, double error) {
   DamageState next = tie.state().damage;
   const TieLoads loads = tie.loads(fields);
   const FacingPositions x{fields[Side::primary].position, fields[Side::secondary].position};
   for (Index n = 0; n < next.damage.size(); ++n) {
     if (next.is_broken(n)) continue;
-    const Vector3d normal = normal_of(tie.nodes()[n], x);
-    const Advance step = std::visit([&](const auto& law) { return advance(law, tie, n, loads, normal); },
-                                    tie.breaking());
+    const Bond bond{tie, loads, n, normal_of(tie.nodes()[n], x), error};
+    const Advance step = std::visit([&](const auto& law) { return advance(law, bond); }, tie.breaking());
     next.damage[n] = step.damage;
     next.energy[n] += step.energy.by_damage;
     next.viscous[n] += step.energy.by_viscosity;

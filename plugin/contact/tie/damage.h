@@ -6,8 +6,9 @@
 namespace mixture_contact {
 
 /// The damage after an accepted solution at a time [s]. Brittle bonds break if their traction exceeds the strength;
-/// cohesive bonds soften. The stored energy of a brittle bond that breaks counts as dissipated.
-DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time);
+/// cohesive bonds soften. The stored energy of a brittle bond that breaks counts as dissipated. `error`: largest
+/// relative error of the tractions, 0 at a solution; a brittle bond breaks only if it would break with this error [-].
+DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time, double error = 0);
 
 /// Sets the damage of a tie. The multipliers of broken nodes become zero; an unknown multiplier of a broken node
 /// becomes zero through its own equation.

@@ -88,11 +88,14 @@ void add_hessian(const Places& places, const NormalAt& at, const Vector3d& load,
 }  // namespace
 
 Vector3d gap_vector(const TiedNode& tied, const FacingPositions& x) {
+  // The weights add up to zero. Positions relative to the node are smaller, and the sum has smaller rounding errors.
+  const Vector3d origin = x.primary.col(tied.node);
   Vector3d gap = Vector3d::Zero();
-  for (Index n = 0; n < tied.primary.count(); ++n) gap += tied.traction.weights[n] * x.primary.col(tied.primary[n]);
+  for (Index n = 0; n < tied.primary.count(); ++n)
+    gap += tied.traction.weights[n] * (x.primary.col(tied.primary[n]) - origin);
   const Index first = tied.primary.count();
   for (Index n = 0; n < tied.secondary.count(); ++n)
-    gap += tied.traction.weights[first + n] * x.secondary.col(tied.secondary[n]);
+    gap += tied.traction.weights[first + n] * (x.secondary.col(tied.secondary[n]) - origin);
   for (const KeptGap& kept : tied.gaps) gap -= kept.size * normal_at(tied, kept, x.primary).normal;
   return gap;
 }

@@ -18,6 +18,7 @@
 #include <FECore/log.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace newton {
@@ -111,15 +112,17 @@ const std::vector<double>* FEBioSolver::reactions_of_clamp() const {
   return multiphasic != nullptr && multiphasic->m_forcePositive ? &multiphasic->m_Fr : nullptr;
 }
 
-double* FEBioSolver::line_search_tolerance() {
+Solver::LineSearch FEBioSolver::line_search() {
   FELineSearch* const search = febio()->GetLineSearch();
-  return search == nullptr ? nullptr : &search->m_LStol;
+  return search == nullptr ? LineSearch() : LineSearch{&search->m_LStol, &search->m_checkJacobians};
 }
 
 Solver::ResidualSquares FEBioSolver::residual_squares() {
   const ConvergenceInfo residual = febio()->GetResidualConvergence();
   auto* const solids = dynamic_cast<FESolidSolver2*>(febio());
-  return {residual.norm, residual.norm0, solids == nullptr ? nullptr : &solids->m_Rmin};
+  const std::vector<double>& before = febio()->m_R0;
+  const double square = std::inner_product(before.begin(), before.end(), before.begin(), 0.0);
+  return {residual.norm, residual.norm0, square, solids == nullptr ? nullptr : &solids->m_Rmin};
 }
 
 int FEBioSolver::iterations() const { return febio()->m_niter; }

@@ -37,7 +37,7 @@ class FEBioSolver : public Solver {
   bool has_known_totals() const override;
   void set_totals(const std::vector<double>& change) override;
   const std::vector<double>* reactions_of_clamp() const override;
-  double* line_search_tolerance() override;
+  LineSearch line_search() override;
   ResidualSquares residual_squares() override;
   int iterations() const override;
   bool is_predictable() const override;

@@ -124,8 +124,7 @@ def _sticky_fate(joint: Joint, child: Span) -> Change:
         Action.KEPT,
         child.tag,
         child.line,
-        "the tie breaks at solutions instead of within iterations; broken nodes are in sliding contact, "
-        "whereas sticky ties them again",
+        "broken nodes are in sliding contact, whereas sticky ties them again",
     )
 
 

@@ -115,21 +115,26 @@ def double_cantilever_beam(strips: Strips) -> Document:
 
 
 def soaked_beam(strips: Strips) -> Document:
-    """The beam with fluid and a solute, more in the lower strip. Its outer faces are drained, and keep the solute."""
-    parts = two_strips(strips)
-    for part in parts.parts:
-        parts.node_sets[f"{part.name}-all"] = sorted({n for e in part.elements for n in e})
-    dry = double_cantilever_beam(strips)
+    """The beam with fluid and a solute."""
+    return soaked(double_cantilever_beam(strips), strips)
+
+
+def soaked(dry: Document, strips: Strips) -> Document:
+    """Strips with fluid and a solute, more in the lower one. Their outer faces are drained, and keep the solute."""
+    of_parts = {part.name: sorted({n for e in part.elements for n in e}) for part in two_strips(strips).parts}
+    sets = "".join(
+        f'<NodeSet name="{name}-all">{",".join(map(str, nodes))}</NodeSet>' for name, nodes in of_parts.items()
+    )
     further = EXACTLY.split("<etol>", maxsplit=1)[1].split("</etol>", maxsplit=1)[1]
     transient = dry.control.replace("STATIC", "TRANSIENT").replace('type="solid"', 'type="solute"')
     return replace(
         dry,
-        mesh=parts.mesh({"tie": ("up-tied", "low-tied"), "crack": ("up-crack", "low-crack")}),
+        mesh=dry.mesh.replace("<NodeSet", f"{sets}<NodeSet", 1),
         materials=[mixed(n, k).replace("<E>1.0<", f"<E>{strips.modulus}<") for k, n in enumerate(("low", "up"), 1)],
         module="solute",
         control=transient.replace("<lstol>", f"{reachable(further)}<lstol>"),
         boundary=[*dry.boundary, *(held("fluid pressure", where, 0.0) for where in ("up-top", "low-bottom"))],
-        node_data=f"{MODULES['solute']};Rz",
+        node_data=f"{MODULES['solute']};Rx;Rz",
         surface_data=dict.fromkeys(("up-tied", "low-tied"), f"{BONDS};viscous energy;{FLOWS}"),
         globals=SOLUTES,
         further={"Initial": [initial(f"{name}-all", value) for name, value in CONTENTS.items()]},

@@ -92,6 +92,15 @@ BOOST_AUTO_TEST_CASE(brittle_nodes_break_where_the_load_exceeds_the_strength_and
   }
 }
 
+BOOST_AUTO_TEST_CASE(
+    brittle_nodes_break_before_a_solution_only_if_their_load_exceeds_its_strength_by_more_than_its_error) {
+  TiedScene tied(FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {2, 2}, brittle);
+  draw_apart(tied, 0.3);  // with the penalty 2, the load is 0.6 and the strength 0.5
+  const auto broken = [&](double error) { return damage_after(*tied.tie, tied.scene.fields, 1, error).damage.sum(); };
+  BOOST_TEST(broken(0.16) == static_cast<double>(tied.tie->nodes().count()));
+  for (const double error : {0.17, 1.0, 3.0, std::numeric_limits<double>::infinity()}) BOOST_TEST(broken(error) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(broken_nodes_and_those_tied_to_them_alone_are_free) {
   TiedScene tied(FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {2, 2}, brittle);
   DamageState damage = tied.tie->state().damage;

@@ -4,6 +4,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 #include <array>
 #include <limits>
 
@@ -132,5 +136,24 @@ BOOST_AUTO_TEST_CASE(the_output_balances_and_has_tension_as_a_negative_pressure)
     BOOST_TEST((nodes.pressure.array() + 0.5).abs().maxCoeff() < 1e-13);
     BOOST_TEST((nodes.gap.array() - 0.25).abs().maxCoeff() < 1e-13);
     BOOST_TEST(std::abs(nodes.tributary_area.sum() - 1) < 1e-13);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits_of_a_tie) {
+  TiedScene tied(FacetType::quad4, FacetType::tri3, 0.1, Enforcement::penalty, {6, 5});
+  std::mt19937 random(1);
+  tied.scene.disturb(0.02, random);
+  const auto answers = [&]([[maybe_unused]] int threads) {
+#ifdef _OPENMP
+    omp_set_num_threads(threads);
+#endif
+    return std::pair<VectorXd, MatrixXd>(tied.residual(tied.pack()), tied.tangent());
+  };
+  const auto [residual, tangent] = answers(1);
+  BOOST_TEST(residual.norm() > 0);
+  for (const int threads : {2, 3}) {
+    const auto [other, its_tangent] = answers(threads);
+    BOOST_TEST((other == residual));
+    BOOST_TEST((its_tangent == tangent));
   }
 }

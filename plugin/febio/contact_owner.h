@@ -1,0 +1,30 @@
+/// The owner of a sliding contact that is not in the model file.
+#pragma once
+
+#include "ambient_concentration.h"
+#include "host/contact_parameters.h"
+
+#include <string>
+
+/// Another interface to which a sliding contact belongs, such as a tie whose broken nodes are in sliding contact. Only
+/// the owner is in the model file.
+class ContactOwner {
+ public:
+  ContactOwner() = default;
+  ContactOwner(const ContactOwner&) = delete;
+  ContactOwner& operator=(const ContactOwner&) = delete;
+  ContactOwner(ContactOwner&&) = delete;
+  ContactOwner& operator=(ContactOwner&&) = delete;
+  virtual ~ContactOwner() = default;
+
+  /// Sets the parameters of the contact to their present values.
+  virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
+  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
+  /// breaks.
+  virtual bool breaks_bonds(double error) = 0;
+  /// Called after a time step has been solved and accepted by the contact.
+  virtual void step_solved() = 0;
+  /// Advice for steps that fail while bonds soften; empty if no bond has softened in the present attempt at a step. The
+  /// contact gives no advice of its own.
+  virtual std::string advice() const = 0;
+};

@@ -1,0 +1,39 @@
+/// A line search in repeated attempts at a step.
+///
+/// If bonds soften, full increments of Newton's method may overshoot and invert elements, in particular when the last
+/// bonds of a layer break and its strain is released. Shorter steps end at the same jump. A line search leads over it;
+/// without need it would only cost evaluations.
+#pragma once
+
+#include "helper.h"
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace newton {
+
+/// The helper that enables the solver's line search after a failed attempt, until the step is solved.
+class SearchAfterFailure : public Helper {
+ public:
+  /// `is_needed`: true if the attempt that has failed may have failed for want of a line search.
+  SearchAfterFailure(Solver& solver, std::function<bool()> is_needed)
+      : solver_(solver), is_needed_(std::move(is_needed)) {}
+
+  void rewind() override;
+  void end_step() override { let_go(); }
+  void let_go() override;
+
+ private:
+  /// The user's settings of the line search.
+  struct Given {
+    double tolerance;
+    bool halves_inversions;
+  };
+
+  Solver& solver_;
+  std::function<bool()> is_needed_;
+  std::optional<Given> given_;  ///< the user's settings while the helper has changed them
+};
+
+}  // namespace newton
