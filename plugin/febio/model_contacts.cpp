@@ -203,8 +203,10 @@ ModelContacts::ModelContacts(FEModel& fem)
       std::make_unique<newton::ResidualFloor>(solver_, [this] { return load_rounding_square(active()); }),
       [this] { return solver_.is_newton() && devices_.is_on(newton::Device::residual_floor); }, devices_.record());
   const auto is_newton = [this] { return solver_.is_newton(); };
-  helpers_.add(std::make_unique<newton::SearchAfterFailure>(solver_, [this] { return is_any_softening(active()); }),
-               is_newton);
+  const auto is_searched = [this] {
+    return devices_.is_on(newton::Device::search_after_failure) && is_any_softening(active());
+  };
+  helpers_.add(std::make_unique<newton::SearchAfterFailure>(solver_, is_searched, devices_.record()), is_newton);
   helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), is_newton);
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |

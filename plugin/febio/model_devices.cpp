@@ -23,7 +23,8 @@ newton::DeviceSet ModelDevices::chosen() const {
 }
 
 bool ModelDevices::is_on(newton::Device device) const {
-  return !record_.is_suspended() && newton::has(chosen(), device);
+  const bool is_suspended = record_.is_suspended() && !newton::acts_after_failure(device);
+  return !is_suspended && newton::has(chosen(), device);
 }
 
 std::string ModelDevices::complaint(ContactInModel& contact) const {

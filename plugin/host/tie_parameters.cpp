@@ -10,11 +10,11 @@
 #include <utility>
 
 bool is_parameter_of_ties(const ParameterTag& tag) {
-  constexpr std::array<std::string_view, 9> of_surfaces{
-      "integration",    "integration_order",    "search_radius",         "search_tol", "node_reloc", "flip_primary",
-      "flip_secondary", "shell_bottom_primary", "shell_bottom_secondary"};
+  constexpr std::array<std::string_view, 10> others{
+      "integration",    "integration_order",    "search_radius",          "search_tol",    "node_reloc", "flip_primary",
+      "flip_secondary", "shell_bottom_primary", "shell_bottom_secondary", "solver_devices"};
   if (tag.group == ParameterGroup::effects || tag.group == ParameterGroup::enforcement) return true;
-  return std::find(of_surfaces.begin(), of_surfaces.end(), tag.name) != of_surfaces.end();
+  return std::find(others.begin(), others.end(), tag.name) != others.end();
 }
 
 bool is_parameter_of_broken_nodes(const ParameterTag& tag) {

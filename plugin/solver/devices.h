@@ -1,7 +1,7 @@
 /// The devices of the solver: numerical methods that save iterations or matrix entries, or prevent failures.
 ///
 /// Each device has a name and a switch, and the log reports how often it has acted. A failed step is repeated without
-/// devices.
+/// devices, except the search after a failure.
 #pragma once
 
 #include "indexing/entries.h"
@@ -23,14 +23,19 @@ enum class Device {
   non_negative_concentrations,  ///< concentrations that FEBio would clamp to zero are solved as an inequality
   line_search_guard,            ///< an increment that the line search has shortened is repeated with its full length
   residual_floor,               ///< a residual within the rounding of stiff contact counts as zero
+  search_after_failure,         ///< a failed step whose bonds soften is repeated with a line search
   predictor                     ///< a step begins at a predicted state
 };
 
 inline constexpr std::array device_names{"loads_as_unknowns", "row_operations",        "deferred_coupling",
                                          "kept_matrix",       "active_set_prediction", "non_negative_concentrations",
-                                         "line_search_guard", "residual_floor",        "predictor"};
+                                         "line_search_guard", "residual_floor",        "search_after_failure",
+                                         "predictor"};
 
 inline const char* name(Device device) { return indexing::at(device_names, static_cast<int>(device)); }
+
+/// True for a device that acts in repeated attempts at a step, in which the others do not.
+inline bool acts_after_failure(Device device) { return device == Device::search_after_failure; }
 
 using DeviceSet = std::bitset<device_names.size()>;
 

@@ -14,6 +14,7 @@ void SearchAfterFailure::rewind() {
   given_ = {*search.tolerance, *search.halves_inversions};
   if (*search.tolerance == 0) *search.tolerance = default_tolerance;
   *search.halves_inversions = true;
+  record_.acted(Device::search_after_failure);
 }
 
 void SearchAfterFailure::let_go() {

@@ -5,6 +5,7 @@
 /// without need it would only cost evaluations.
 #pragma once
 
+#include "devices.h"
 #include "helper.h"
 
 #include <functional>
@@ -17,8 +18,8 @@ namespace newton {
 class SearchAfterFailure : public Helper {
  public:
   /// `is_needed`: true if the attempt that has failed may have failed for want of a line search.
-  SearchAfterFailure(Solver& solver, std::function<bool()> is_needed)
-      : solver_(solver), is_needed_(std::move(is_needed)) {}
+  SearchAfterFailure(Solver& solver, std::function<bool()> is_needed, DeviceRecord& record)
+      : solver_(solver), is_needed_(std::move(is_needed)), record_(record) {}
 
   void rewind() override;
   void end_step() override { let_go(); }
@@ -33,6 +34,7 @@ class SearchAfterFailure : public Helper {
 
   Solver& solver_;
   std::function<bool()> is_needed_;
+  DeviceRecord& record_;
   std::optional<Given> given_;  ///< the user's settings while the helper has changed them
 };
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -117,13 +118,21 @@ def test_steps_in_which_bonds_shear_converge_with_the_default_penalty(solve, str
     assert small.table(folder / "surface-up-tied.txt")[-1, 0, 5] > 0
 
 
+LAST_BONDS = replace(UNCRACKED, strength=0.5, energy=0.05, opening=1.08)
+
+
+def pressed_layer():
+    """A layer that is pressed on another one and drawn along it."""
+    along = drawn_along(LAST_BONDS)
+    return replace(along, boundary=[*along.boundary, moved("up-top", "z", -0.01)])
+
+
 def test_the_last_bonds_of_a_pressed_layer_break_at_once(solve):
     """Full increments of Newton's method would invert elements there, in shorter steps as well."""
-    strips = replace(UNCRACKED, strength=0.5, energy=0.05, opening=1.08)
-    along = drawn_along(strips)
-    pressed = replace(along, boundary=[*along.boundary, moved("up-top", "z", -0.01)])
-    folder, finished = solve("last-bonds", pressed)
+    strips = LAST_BONDS
+    folder, finished = solve("last-bonds", pressed_layer())
     assert finished.report.retries <= 2
+    assert re.search(r"search_after_failure [12]\b", (folder / "model.log").read_text())
     rows = small.table(folder / "surface-up-tied.txt")[:, 0]
     area = strips.length * strips.width
     assert rows[-1, 5] == pytest.approx(area, rel=1e-9)
@@ -131,6 +140,14 @@ def test_the_last_bonds_of_a_pressed_layer_break_at_once(solve):
     assert np.abs(rows[-1, 0]) <= 1e-3 * np.abs(rows[:, 0]).max()
     broken = np.diff(rows[:, 5]) / area
     assert broken.max() > 0.25
+
+
+def test_without_its_device_the_layer_fails(solve):
+    tag = "</contact>"
+    text = pressed_layer().text()
+    assert text.count(tag) == 1
+    _, finished = solve("no-search", text.replace(tag, "<solver_devices>none</solver_devices>" + tag), ends=False)
+    assert not finished.report.normal
 
 
 # ------------------------------------------------------------ end-notched flexure

@@ -11,7 +11,8 @@ struct Repeated {
 
   FakeSolver solver;
   bool is_needed = true;
-  newton::SearchAfterFailure helper{solver, [this] { return is_needed; }};
+  newton::DeviceRecord record;
+  newton::SearchAfterFailure helper{solver, [this] { return is_needed; }, record};
 };
 
 }  // namespace
