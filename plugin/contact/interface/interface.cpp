@@ -40,10 +40,31 @@ double largest_motion(const PerSide<Matrix3Xd>& from, const PerSide<Matrix3Xd>& 
   return of_side(Side::primary) + of_side(Side::secondary);
 }
 
-/// True if accepted states extend a given search radius (see ContactInterface::reach()). The radius of self-contact is
-/// fixed: the next fold may be within the motion of a step.
+/// True if accepted states extend a given search radius (see reach_in_step()). The radius of self-contact is fixed: the
+/// next fold may be within the motion of a step.
 bool extends_radius(const Settings& settings, const PerSide<SurfaceMesh>& mesh) {
   return settings.search.radius > 0 && !mesh[Side::primary].may_meet_itself();
+}
+
+/// An accepted state at these positions.
+AcceptedState accepted_state(const std::vector<SidedPass>& passes, PerSide<Matrix3Xd> position) {
+  double overlap = 0;
+  for (const SidedPass& pass : passes) {
+    const FacingPairs& facing = pass.integral->space().facing();
+    const NodeFlags in_contact = pass.integral->flux_coupled();
+    overlap = std::max(overlap, deepest_overlap(facing, seen_from(pass.side, position), in_contact));
+  }
+  return {std::move(position), overlap};
+}
+
+/// The search distances in a step. Overlaps may exceed a given search radius by the motion of the step, because an
+/// iteration may move a body too far. They may also exceed it as far as those of the last accepted state: a soft
+/// penalty may need them, and points that a search lost would pass through the other body.
+Reach reach_in_step(const Settings& settings, const AcceptedState& accepted, const PerSide<Matrix3Xd>& position) {
+  Reach reach = reach_of(settings, seen_from(Side::primary, position));
+  if (accepted.position[Side::primary].cols() == 0) return reach;
+  reach.beyond = std::max(0.0, accepted.overlap - reach.distance) + largest_motion(accepted.position, position);
+  return reach;
 }
 
 void find_points(SidedPass& pass, const PerSide<Matrix3Xd>& position, const Reach& reach) {
@@ -90,7 +111,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
     pass.hits.reset();
     pass.integral->slips().begin_at(seen_from(pass.side, position_));
     if (search_all) {
-      find_points(pass, position_, reach());
+      find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
     } else {
       pass.integral->project_on_same_facets(seen_from(pass.side, position_));
     }
@@ -108,25 +129,9 @@ void ContactInterface::accept_step(const PerSide<SurfaceFields>& fields) {
     changes_averages = pass.integral->accept_step(seen_from(pass.side, fields)) || changes_averages;
     pass.integral->laws().close_overlapped = false;
   }
-  if (extends_radius(settings_, mesh_)) extend_radius(fields);
+  if (extends_radius(settings_, mesh_))
+    accepted_ = accepted_state(passes_, {{fields[Side::primary].position, fields[Side::secondary].position}});
   if (changes_averages) end_iterations();
-}
-
-void ContactInterface::extend_radius(const PerSide<SurfaceFields>& fields) {
-  accepted_ = {{{fields[Side::primary].position, fields[Side::secondary].position}}, 0};
-  for (const SidedPass& pass : passes_) {
-    const FacingPositions x = seen_from(pass.side, accepted_.position);
-    const FacingPairs& facing = pass.integral->space().facing();
-    accepted_.overlap = std::max(accepted_.overlap, deepest_overlap(facing, x, pass.integral->flux_coupled()));
-  }
-}
-
-Reach ContactInterface::reach() const {
-  Reach reach = reach_of(settings_, seen_from(Side::primary, position_));
-  if (accepted_.position[Side::primary].cols() == 0) return reach;
-  const double overlap = std::max(0.0, accepted_.overlap - reach.distance);
-  reach.beyond = overlap + largest_motion(accepted_.position, position_);
-  return reach;
 }
 
 void ContactInterface::exchange_traction(bool traction) {
@@ -247,7 +252,7 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
   if (found.nodes == 0) return found;
   check_.nodes = with_entered(std::move(check_.nodes), nodes, shares, mesh_[Side::primary].facets.count());
   restrict_second_pass();
-  find_points(passes_.back(), position_, reach());
+  find_points(passes_.back(), position_, reach_in_step(settings_, accepted_, position_));
   if (joins) passes_.back().integral->geometry().moving()->start_inactive(seen_from(Side::secondary, fields));
   return found;
 }

@@ -8,6 +8,12 @@
 
 namespace mixture_contact {
 
+/// The last accepted state, which extends a given search radius for overlaps.
+struct AcceptedState {
+  PerSide<Matrix3Xd> position;  ///< positions; empty without a given search radius
+  double overlap = 0;           ///< deepest overlap of points in contact [length]
+};
+
 /// A contact between two surfaces. Evaluations are const. project() sets the configuration, augment() the multipliers,
 /// and check_penetration() the nodes to which a second pass is restricted. Other files have further functions of a
 /// contact: balances and nodal values (output.h), unknown multipliers (multipliers.h), relocation (relocation.h).
@@ -133,12 +139,6 @@ class ContactInterface {
   void restore(State state);
 
  private:
-  /// The search distances at the present positions. In a step, overlaps may exceed a given search radius by the motion
-  /// of the step, because an iteration may move a body too far. They may also exceed it as far as those of the last
-  /// accepted state: a soft penalty may need them, and points that a search lost would pass through the other body.
-  Reach reach() const;
-  /// Notes the accepted state, which extends the search radius.
-  void extend_radius(const PerSide<SurfaceFields>& fields);
   /// Restricts the second pass to the penetration-check nodes. It makes this pass if there is none.
   void restrict_second_pass();
 
@@ -148,12 +148,7 @@ class ContactInterface {
   PenetrationCheck check_;
   std::vector<SidedPass> passes_;
   PerSide<Matrix3Xd> position_;
-  /// The last accepted state, which extends a given search radius for overlaps.
-  struct Accepted {
-    PerSide<Matrix3Xd> position;  ///< positions; empty without a given search radius
-    double overlap = 0;           ///< deepest overlap of points in contact [length]
-  };
-  Accepted accepted_;
+  AcceptedState accepted_;
   bool searched_ = false;  ///< true if the last projection was a search for all points
   mutable Measurements measurements_;
 };
