@@ -64,12 +64,13 @@ def in_turn(steps: Mapping[str, Sequence[Sequence[str]]], folder: Path) -> set[s
         Where the logs are.
     """
     folder.mkdir(parents=True, exist_ok=True)
+    names = list(steps)
     done: set[str] = set()
-    for number, (name, commands) in enumerate(steps.items(), 1):
-        if number == len(steps) > len(done) + 1:
+    for name in names:
+        if name == names[-1] and len(done) < len(names) - 1:
             break
         with (folder / f"{name}.log").open("w") as log:
-            if all(_is_done(arguments, log) for arguments in commands):
+            if all(_is_done(arguments, log) for arguments in steps[name]):
                 done.add(name)
     return done
 
