@@ -22,6 +22,7 @@ from harness.run import febio_log
 Progress = Callable[[float], None]
 """Called with the time (s) that a run has reached."""
 _THREADS = "OMP_NUM_THREADS"
+_PEAK = re.compile(r"^VmHWM:\s+(\d+) kB$", re.MULTILINE)
 _FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
 
 
@@ -209,11 +210,11 @@ def execute(
         watch = threading.Timer(timeout, process.kill) if timeout is not None else None
         if watch:
             watch.start()
-        output = _follow(process, progress)
+        output, peak = _follow(process, progress)
         code, cpu, memory = _wait(process)
         if watch:
             watch.cancel()
-    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu, memory)
+    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu, peak or memory)
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))
     return finished
@@ -228,22 +229,40 @@ if sys.platform == "win32":
 else:
 
     def _wait(process: subprocess.Popen[str]) -> tuple[int, float, float]:
-        """The exit code of a process, its processor time, s, and the largest memory that it had, MB."""
+        """The exit code of a process, its processor time, s, and the largest memory of it or its parent, MB."""
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         kilobytes = usage.ru_maxrss / (1024.0 if sys.platform == "darwin" else 1.0)
         return process.returncode, usage.ru_utime + usage.ru_stime, kilobytes / 1000.0
 
 
-def _follow(process: subprocess.Popen[str], progress: Progress | None) -> str:
+def _follow(process: subprocess.Popen[str], progress: Progress | None) -> tuple[str, float]:
+    """What a process prints, and its largest memory up to the last time step that it completed, MB; 0 if not known."""
     lines: list[str] = []
+    peak = 0.0
     assert process.stdout is not None
     for line in process.stdout:
         lines.append(line)
-        match = febio_log.CONVERGED.search(line) if progress else None
-        if match and progress:
+        match = febio_log.CONVERGED.search(line)
+        if match is None:
+            continue
+        peak = _peak_memory(process) or peak
+        if progress:
             progress(float(match.group(1)))
-    return "".join(lines)
+    return "".join(lines), peak
+
+
+def _peak_memory(process: subprocess.Popen[str]) -> float:
+    """The largest memory of a running process, MB; 0 where Linux does not tell it.
+
+    The figure of ``os.wait4`` is at least the memory of the Python process that started the other one.
+    """
+    try:
+        status = Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+    except OSError:
+        return 0.0
+    found = _PEAK.search(status)
+    return float(found.group(1)) / 1000.0 if found else 0.0
 
 
 def _complaint(command: Sequence[str], finished: Run, code: int) -> str:
