@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 import pytest
@@ -162,6 +163,14 @@ def test_no_engine_is_explained(monkeypatch, tmp_path):
     with pytest.raises(EngineNotFoundError, match="Set FEBIO_ROOT") as raised:
         engine.find_engine()
     assert f"looked in {tmp_path}," in str(raised.value)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems tell the larger one of a process and its parent")
+def test_the_memory_of_a_run_is_not_that_of_its_parent(tmp_path):
+    held = np.ones(40_000_000)
+    said = "import time; print('------- converged at time : 1', flush=True); time.sleep(1)"
+    run = engine.execute([sys.executable, "-c", said], tmp_path, check=False)
+    assert 0.0 < run.memory < held.nbytes / 2e6
 
 
 def test_a_failed_run_quotes_the_engine(tmp_path):
