@@ -40,6 +40,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   void belong_to(ContactOwner& owner) { owner_ = &owner; }
   /// The owner; null if the contact is in the model file itself.
   ContactOwner* owner() const { return owner_; }
+  bool has_bonds() const override { return owner_ != nullptr; }
   bool breaks_bonds(double error) override { return owner_ != nullptr && owner_->breaks_bonds(error); }
   void project() override;
   void prepare_step() override;

@@ -4,8 +4,6 @@
 #include "ambient_concentration.h"
 #include "host/contact_parameters.h"
 
-#include <string>
-
 /// Another interface to which a sliding contact belongs, such as a tie whose broken nodes are in sliding contact. Only
 /// the owner is in the model file.
 class ContactOwner {
@@ -24,7 +22,8 @@ class ContactOwner {
   virtual bool breaks_bonds(double error) = 0;
   /// Called after a time step has been solved and accepted by the contact.
   virtual void step_solved() = 0;
-  /// Advice for steps that fail while bonds soften; empty if no bond has softened in the present attempt at a step. The
-  /// contact gives no advice of its own.
-  virtual std::string advice() const = 0;
+  /// True if bonds have softened in the present attempt at a time step.
+  virtual bool is_softening() const = 0;
+  /// Called after an attempt at a time step has failed. The contact gives no advice of its own.
+  virtual void step_failed() = 0;
 };

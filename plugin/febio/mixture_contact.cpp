@@ -202,9 +202,12 @@ void FEMixtureContact::on_callback(unsigned int when) {
     if (bound_.owner() != nullptr) bound_.owner()->step_solved();
   }
   if (when == CB_TIMESTEP_FAILED) {
-    std::string advice = bound_.fail_step();
-    if (bound_.owner() != nullptr) advice = bound_.owner()->advice();
-    if (!advice.empty()) log_.line_once(advice);
+    const std::string advice = bound_.fail_step();
+    if (bound_.owner() != nullptr) {
+      bound_.owner()->step_failed();
+    } else if (!advice.empty()) {
+      log_.line(advice);
+    }
   }
   if (when == CB_SOLVED) output_.log_timings();
 }

@@ -130,7 +130,7 @@ double load_rounding_square(const std::vector<ContactInModel*>& contacts) {
 bool is_any_softening(const std::vector<ContactInModel*>& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](ContactInModel* each) {
     const ContactOwner* const owner = each->bound().owner();
-    return owner != nullptr && !owner->advice().empty();
+    return owner != nullptr && owner->is_softening();
   });
 }
 

@@ -174,9 +174,10 @@ bool FEMixtureTie::Augment(int augmentation, const FETimeInfo& /*time*/) {
 
 bool FEMixtureTie::breaks_bonds(double error) {
   if (!std::holds_alternative<Brittle>(tie_->breaking())) return false;
-  // Loads are not those of a solution before augmentations.
-  const bool is_augmented = tie_->settings().enforcement == Enforcement::augmented_lagrangian;
-  if (error > 0 ? is_augmented : !is_augmented_) return false;
+  // An augmentation changes the loads. Only its last solution decides; without augmentations, each iteration does.
+  const bool augments = tie_->settings().enforcement == Enforcement::augmented_lagrangian;
+  const bool is_at_solution = error == 0;
+  if (is_at_solution ? !is_augmented_ : augments) return false;
   const Index before = broken_nodes(*tie_);
   take_damage(damage_after(*tie_, fields(), CurrentTime(), error));
   const Index broken = broken_nodes(*tie_) - before;
@@ -191,8 +192,8 @@ void FEMixtureTie::step_solved() {
   take_damage(std::move(damage));
 }
 
-std::string FEMixtureTie::advice() const {
-  return iterations_.is_any_softening() ? failed_softening_line(log_.title()) : "";
+void FEMixtureTie::step_failed() {
+  if (is_softening()) log_.line_once(failed_softening_line(log_.title()));
 }
 
 void FEMixtureTie::take_damage(DamageState damage) {

@@ -40,7 +40,8 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
   bool breaks_bonds(double error) override;
   void step_solved() override;
-  std::string advice() const override;
+  bool is_softening() const override { return iterations_.is_any_softening(); }
+  void step_failed() override;
 
  private:
   bool prepare_surfaces();

@@ -112,11 +112,12 @@ void ContactSteps::start_at_prediction() {
 
 /// Breaks bonds that would break at a solution near the state after an iteration.
 bool ContactSteps::breaks_bonds() {
-  // The next iteration changes a load by about the same fraction of the last change that is left of the residual. The
-  // last change is at most twice a load that exceeds its strength.
-  const double error = 2 * helpers_.residual_left();
   bool any = false;
-  for (SteppedContact* contact : model_.active_contacts()) any = contact->breaks_bonds(error) || any;
+  for (SteppedContact* contact : model_.active_contacts()) {
+    // The next iteration changes a load by about the same fraction of the last change that is left of the residual. The
+    // last change is at most twice a load that exceeds its strength.
+    if (contact->has_bonds()) any = contact->breaks_bonds(2 * helpers_.residual_left()) || any;
+  }
   return any;
 }
 

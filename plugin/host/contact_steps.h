@@ -43,6 +43,8 @@ class SteppedContact : public Polymorphic {
   virtual bool is_solution() { return core().is_solution(fields()); }
   /// True if the state has edge nodes that have to be tried once more; it is not a solution then.
   virtual bool reconsiders_edge() { return mixture_contact::reconsiders_edge(core(), fields()); }
+  /// True if bonds hold the surfaces, which breaks_bonds() may break.
+  virtual bool has_bonds() const { return false; }
   /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
   /// breaks; iterations then begin again at this state.
   virtual bool breaks_bonds(double /*error*/) { return false; }

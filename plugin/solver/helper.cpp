@@ -1,5 +1,7 @@
 #include "helper.h"
 
+#include "norm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,8 +27,7 @@ std::string Helpers::unavailable(Device device) const {
 
 double Helpers::residual_left() const {
   if (solver_ == nullptr || !solver_->is_newton()) return std::numeric_limits<double>::infinity();
-  const Solver::ResidualSquares squares = solver_->residual_squares();
-  return std::sqrt(squares.now / squares.before);
+  return std::sqrt(solver_->residual_squares().now) / norm(solver_->vectors().residual);
 }
 
 template <class Use>

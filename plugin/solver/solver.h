@@ -98,13 +98,11 @@ class Solver {
     bool exists() const { return tolerance != nullptr; }
   };
   virtual LineSearch line_search() = 0;
-  /// Squared norms of the residual in the last trial (`now`), at the start of the step (`first`), and at the start of
-  /// the iteration (`before`). The solver accepts a residual below `least`; null if the residual contains other
-  /// quantities than forces.
+  /// Squared norms of the residual in the last trial (`now`) and at the start of the step (`first`). The solver accepts
+  /// a residual below `least`; null if the residual contains other quantities than forces.
   struct ResidualSquares {
     double now = 0;
     double first = 0;
-    double before = 0;
     double* least = nullptr;  ///< squared norm below which the residual is accepted [N^2]
   };
   virtual ResidualSquares residual_squares() = 0;

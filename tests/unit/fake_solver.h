@@ -105,7 +105,7 @@ class FakeSolver : public newton::Solver {
   const std::vector<double>* reactions_of_clamp() const override { return clamps ? &reactions : nullptr; }
   LineSearch line_search() override { return searches ? LineSearch{&tolerance, &halves_inversions} : LineSearch(); }
   ResidualSquares residual_squares() override {
-    return {squares.now, squares.first, squares.before, has_forces_alone ? &least_residual : nullptr};
+    return {squares.now, squares.first, has_forces_alone ? &least_residual : nullptr};
   }
   int iterations() const override { return taken_iterations; }
   bool is_predictable() const override { return predictable; }

@@ -172,14 +172,10 @@ double deepest_overlap(const FacingPairs& facing, const FacingPositions& x, cons
   double deepest = 0;
   for (const FacetPair& pair : facing.pairs()) {
     if (!facing.has_node_among(pair, nodes)) continue;
-    const Facet& one = facing.primary_facet(pair);
-    const Facet& two = facing.secondary_facet(pair);
-    const FacetCoordinates x1 = facet_coordinates(one, x.primary);
-    const FacetCoordinates x2 = facet_coordinates(two, x.secondary);
     for (const IntegrationPoint& point : facing.points(pair)) {
-      const Ray ray = normal_ray(one.type, x1, point.xi, 0, 0);
-      const Vector3d apart = x2 * shape_functions(two.type, point.eta).value - ray.origin;
-      if (apart.dot(ray.direction) < 0) deepest = std::max(deepest, apart.norm());
+      const PlacedPoint placed = placed_point(facing.primary_facet(pair), facing.secondary_facet(pair), point,
+                                              x.primary, x.secondary);
+      if (placed.gap() < 0) deepest = std::max(deepest, placed.apart.norm());
     }
   }
   return deepest;

@@ -85,6 +85,12 @@ Ray normal_ray(FacetType type, const FacetCoordinates& x, const Vector2d& xi, do
   return {x * shape.value, tangents.col(0).cross(tangents.col(1)).normalized(), reach, tolerance};
 }
 
+PlacedPoint placed_point(const Facet& primary, const Facet& secondary, const IntegrationPoint& point,
+                         const Matrix3Xd& x1, const Matrix3Xd& x2) {
+  const Ray ray = normal_ray(primary, x1, point.xi, 0, 0);
+  return {ray, facet_coordinates(secondary, x2) * shape_functions(secondary.type, point.eta).value - ray.origin};
+}
+
 void use_no_motion(Index points, const UseMotion& use) {
   for (Index q = 0; q < points; ++q) use({});
 }

@@ -73,6 +73,15 @@ inline Ray normal_ray(const Facet& facet, const Matrix3Xd& positions, const Vect
   return normal_ray(facet.type, facet_coordinates(facet, positions), xi, reach, tolerance);
 }
 
+/// A point of a pair in space.
+struct PlacedPoint {
+  Ray ray;         ///< ray from the primary point along the primary normal
+  Vector3d apart;  ///< vector from the primary to the secondary point
+  double gap() const { return apart.dot(ray.direction); }
+};
+PlacedPoint placed_point(const Facet& primary, const Facet& secondary, const IntegrationPoint& point,
+                         const Matrix3Xd& x1, const Matrix3Xd& x2);
+
 /// Pointers to the pairs whose primary facets contain a node.
 using PairsAround = Span<const FacetPair*>;
 

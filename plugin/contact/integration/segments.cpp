@@ -90,14 +90,13 @@ bool Segments::is_exact(const FacetPair& pair) const {
 bool Segments::sees(const FacetPair& pair, const IntegrationPoint& point, const SearchedSurfaces& at) const {
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
-  const Ray ray = normal_ray(one, at.x1, point.xi, at.reach.distance, 0);
-  const Vector3d apart = facet_coordinates(two, at.x2) * shape_functions(two.type, point.eta).value - ray.origin;
-  const double gap = apart.dot(ray.direction);
+  const PlacedPoint placed = placed_point(one, two, point, at.x1, at.x2);
+  const double gap = placed.gap();
   const double tilted = tilted_reach(middle_normal(one, at.x1), middle_normal(two, at.x2));
   const bool is_near = self_.is_active() || gap <= tilted * at.reach.ahead(one, at.x1);
-  const bool is_within = gap <= at.reach.distance && apart.norm() <= at.reach.backwards();
+  const bool is_within = gap <= at.reach.distance && placed.apart.norm() <= at.reach.backwards();
   return is_within && is_near && gap >= -self_.largest_overlap(pair.primary) &&
-         !visibility_.is_hidden(ray.origin, ray.direction, gap, pair.primary, pair.secondary);
+         !visibility_.is_hidden(placed.ray.origin, placed.ray.direction, gap, pair.primary, pair.secondary);
 }
 
 std::vector<int> Segments::candidates(int facet, const SearchedSurfaces& at) const {
@@ -112,14 +111,14 @@ bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const Sear
   const Facet& one = primary_[pair.primary];
   const Facet& two = secondary_[pair.secondary];
   const IntegrationPoint& point = heaviest(all.points(pair));
-  const Ray ray = normal_ray(one, at.x1, point.xi, 0, 0);
-  const Vector3d paired = facet_coordinates(two, at.x2) * shape_functions(two.type, point.eta).value;
+  const PlacedPoint placed = placed_point(one, two, point, at.x1, at.x2);
+  const Ray& ray = placed.ray;
   return std::any_of(all.pairs().begin(), all.pairs().end(), [&](const FacetPair& rival) {
     const Facet& facet = secondary_[rival.secondary];
     if (is_flat(facet.type) && is_passed(at.circles[rival.secondary], ray.origin, ray.direction)) return false;
     if (share_a_node(facet, two)) return false;
     const auto hit = intersect(facet.type, facet_coordinates(facet, at.x2), ray.origin, ray.direction, ray.tolerance);
-    return hit && std::abs(hit->gap) < (paired - ray.origin).norm();
+    return hit && std::abs(hit->gap) < placed.apart.norm();
   });
 }
 

@@ -18,7 +18,6 @@
 #include <FECore/log.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace newton {
@@ -120,9 +119,7 @@ Solver::LineSearch FEBioSolver::line_search() {
 Solver::ResidualSquares FEBioSolver::residual_squares() {
   const ConvergenceInfo residual = febio()->GetResidualConvergence();
   auto* const solids = dynamic_cast<FESolidSolver2*>(febio());
-  const std::vector<double>& before = febio()->m_R0;
-  const double square = std::inner_product(before.begin(), before.end(), before.begin(), 0.0);
-  return {residual.norm, residual.norm0, square, solids == nullptr ? nullptr : &solids->m_Rmin};
+  return {residual.norm, residual.norm0, solids == nullptr ? nullptr : &solids->m_Rmin};
 }
 
 int FEBioSolver::iterations() const { return febio()->m_niter; }
