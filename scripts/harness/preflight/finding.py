@@ -44,9 +44,15 @@ class Finding:
 
     def as_json(self) -> dict[str, str | int]:
         """The finding for scripts."""
-        where = {**vars(self.place), "file": str(self.place.file)}
-        said = {"message": self.message, "suggestion": self.suggestion}
-        return {"severity": self.severity.value, "rule": self.rule, **where, **said}
+        return {
+            "severity": self.severity.value,
+            "rule": self.rule,
+            "file": str(self.place.file),
+            "line": self.place.line,
+            "tag": self.place.tag,
+            "message": self.message,
+            "suggestion": self.suggestion,
+        }
 
 
 def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:

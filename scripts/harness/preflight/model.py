@@ -260,14 +260,15 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
     numbers = _solutes(document)
     made_mesh = mesh_section.read(document)
+    interfaces = list(_interfaces(document, made_mesh))
     made = Model(
         document=document,
         module=attribute(module, "type"),
         mesh=made_mesh,
         materials=materials.read(document, numbers),
         solutes=numbers,
-        contacts=tuple(_contacts(document, made_mesh, TYPES)),
-        ties=tuple(_contacts(document, made_mesh, TIED_TYPES)),
+        contacts=tuple(each for each in interfaces if not each.kind.is_tie),
+        ties=tuple(each for each in interfaces if each.kind.is_tie),
     )
     if not made.contacts and not made.ties:
         others = sorted({str(tag.get("type")) for _, tag in document.everywhere("Contact", "contact")})
@@ -290,13 +291,14 @@ def _solutes(document: Document) -> dict[str, int]:
     return found
 
 
-def _contacts(document: Document, known: Mesh, types: Mapping[str, ContactType]) -> Iterator[Contact]:
-    """The contacts of these types."""
+def _interfaces(document: Document, known: Mesh) -> Iterator[Contact]:
+    """Sliding contacts and ties; those of other types are left out."""
+    types = {**TYPES, **TIED_TYPES}
     for step, tag in document.everywhere("Contact", "contact"):
         kind = attribute(tag, "type")
         if kind in types:
             yield Contact(types[kind], _pair(tag, known), step, tag)
-        elif kind.startswith("sliding") and kind not in TYPES:
+        elif kind.startswith("sliding"):
             raise ModelError(
                 f"{place(tag)}: is of type '{shortened(kind)}', which is unknown; there is {', '.join(TYPES)}"
             )

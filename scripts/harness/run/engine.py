@@ -211,58 +211,50 @@ def execute(
         if watch:
             watch.start()
         output, peak = _follow(process, progress)
-        code, cpu, memory = _wait(process)
+        code, cpu = _wait(process)
         if watch:
             watch.cancel()
-    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu, peak or memory)
+    finished = Run(folder, febio_log.parse(output), output, time.perf_counter() - start, cpu, peak)
     if check and (code != 0 or not finished.report.normal):
         raise EngineFailedError(_complaint(command, finished, code))
     return finished
 
 
-if sys.platform == "win32":
-
-    def _wait(process: subprocess.Popen[str]) -> tuple[int, float, float]:
-        """The exit code of a process; Python does not tell its processor time and memory here."""
-        return process.wait(), math.nan, math.nan
-
-else:
-
-    def _wait(process: subprocess.Popen[str]) -> tuple[int, float, float]:
-        """The exit code of a process, its processor time, s, and the largest memory of it or its parent, MB."""
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        kilobytes = usage.ru_maxrss / (1024.0 if sys.platform == "darwin" else 1.0)
-        return process.returncode, usage.ru_utime + usage.ru_stime, kilobytes / 1000.0
+def _wait(process: subprocess.Popen[str]) -> tuple[int, float]:
+    """The exit code of a process and its processor time, s; Python does not tell the time on Windows."""
+    if sys.platform == "win32":
+        return process.wait(), math.nan
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
 
 
 def _follow(process: subprocess.Popen[str], progress: Progress | None) -> tuple[str, float]:
-    """What a process prints, and its largest memory up to the last time step that it completed, MB; 0 if not known."""
+    """What a process prints, and its largest memory up to the last time step that it completed, MB."""
     lines: list[str] = []
-    peak = 0.0
+    peak = math.nan
     assert process.stdout is not None
     for line in process.stdout:
         lines.append(line)
         match = febio_log.CONVERGED.search(line)
         if match is None:
             continue
-        peak = _peak_memory(process) or peak
+        peak = _peak_memory(process, peak)
         if progress:
             progress(float(match.group(1)))
     return "".join(lines), peak
 
 
-def _peak_memory(process: subprocess.Popen[str]) -> float:
-    """The largest memory of a running process, MB; 0 where Linux does not tell it.
+def _peak_memory(process: subprocess.Popen[str], before: float) -> float:
+    """The largest memory of a process so far, MB; `before` if it has ended, or if the system is not Linux.
 
-    The figure of ``os.wait4`` is at least the memory of the Python process that started the other one.
+    The figure of ``os.wait4`` is no measure: it is at least the memory of the Python process that starts another one.
     """
     try:
-        status = Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+        found = _PEAK.search(Path(f"/proc/{process.pid}/status").read_text(encoding="ascii"))
     except OSError:
-        return 0.0
-    found = _PEAK.search(status)
-    return float(found.group(1)) / 1000.0 if found else 0.0
+        return before
+    return float(found.group(1)) / 1000.0 if found else before
 
 
 def _complaint(command: Sequence[str], finished: Run, code: int) -> str:

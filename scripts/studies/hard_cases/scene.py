@@ -138,8 +138,15 @@ class Case:
 
 def timed(times: Sequence[float], curve: int, newton: float = NEWTON) -> tuple[Control, Curve]:
     """Time steps that end at `times` (s) with these tolerances, and their load curve, of number `curve`."""
-    names = ("displacement", "energy", "pressure", "concentration")
-    return pieces.timed(times, curve, reformations=25, **{f"{name}_tolerance": newton for name in names})
+    return pieces.timed(
+        times,
+        curve,
+        displacement_tolerance=newton,
+        energy_tolerance=newton,
+        pressure_tolerance=newton,
+        concentration_tolerance=newton,
+        reformations=25,
+    )
 
 
 def finished(model: Model, interface: Interface) -> Model:

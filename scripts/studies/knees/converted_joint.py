@@ -8,7 +8,6 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from harness.models.interface import InterfaceType
-from harness.models.parts import Param
 from harness.report import history, plot_file
 from harness.run.runner import Runner
 from studies.models.kept_models import joint_before
@@ -24,7 +23,7 @@ def draw(runner: Runner, folder: Path) -> Path:
     """Run the joint with FEBio's interface and as converted without penalties, and draw the last states."""
     before = joint_before()
     (contact,) = before.contacts
-    ours = replace(contact, kind=InterfaceType.MIXTURE.value, params=(Param("search_radius", 1.0),))
+    ours = replace(contact, kind=InterfaceType.MIXTURE.value, params=())
     shown = []
     for title, model in (
         ("before: sliding-elastic", before),

@@ -77,8 +77,9 @@ class PlateOnLayer:
         settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
         load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
         # Tolerances are far below the first friction force, a small part of the load.
-        tolerances = {"displacement_tolerance": 1e-5, "energy_tolerance": 1e-8, "pressure_tolerance": 1e-5}
-        control, steps = timed(TIMES, 3, reformations=25, **tolerances)
+        control, steps = timed(
+            TIMES, 3, displacement_tolerance=1e-5, energy_tolerance=1e-8, pressure_tolerance=1e-5, reformations=25
+        )
         slide = Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
         return Model(
             self.name,

@@ -54,8 +54,9 @@ class SlidingJoint:
         given = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=SOLID_FRACTION)
         press = Curve(((0.0, 0.0), (PRESSED, 1.0)))
         slide = Curve(((0.0, 0.0), (DRAINED, 0.0), (END, 1.0)))
-        tolerances = {"displacement_tolerance": 1e-4, "energy_tolerance": 1e-6, "pressure_tolerance": 1e-4}
-        control, steps = timed(times(), 3, reformations=30, **tolerances)
+        control, steps = timed(
+            times(), 3, displacement_tolerance=1e-4, energy_tolerance=1e-6, pressure_tolerance=1e-4, reformations=30
+        )
         return Model(
             "sliding-joint",
             header("sliding-joint", ABOUT, InterfaceType.MIXTURE),

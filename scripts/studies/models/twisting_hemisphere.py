@@ -53,8 +53,9 @@ class TwistingHemisphere:
         """The model of these choices."""
         mesh, moved, curves = driven(self._mesh(), self.times, motion)
         rubbing = Curve(((0.0, 0.0), (PRESSED, 0.0), (PRESSED + 1e-6, 1.0), (END, 1.0)))
-        tolerances = {"displacement_tolerance": 1e-4, "energy_tolerance": 1e-6}
-        control, steps = timed(self.times, len(curves) + 2, reformations=40, **tolerances)
+        control, steps = timed(
+            self.times, len(curves) + 2, displacement_tolerance=1e-4, energy_tolerance=1e-6, reformations=40
+        )
         given = default_settings(self.interface)
         settings = replace(given, extra=(*given.extra, Param("fric_coeff", FRICTION, len(curves) + 1)))
         return Model(
