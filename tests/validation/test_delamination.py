@@ -131,15 +131,15 @@ def test_the_last_bonds_of_a_pressed_layer_break_at_once(solve):
     """Full increments of Newton's method would invert elements there, in shorter steps as well."""
     strips = LAST_BONDS
     folder, finished = solve("last-bonds", pressed_layer())
-    assert finished.report.retries <= 2
-    assert re.search(r"search_after_failure [12]\b", (folder / "model.log").read_text())
+    assert finished.report.retries == 1
+    assert re.search(r"search_after_failure 1\b", (folder / "model.log").read_text())
     rows = small.table(folder / "surface-up-tied.txt")[:, 0]
     area = strips.length * strips.width
     assert rows[-1, 5] == pytest.approx(area, rel=1e-9)
     assert rows[-1, 3] == pytest.approx(strips.energy * area, rel=1e-6)
     assert np.abs(rows[-1, 0]) <= 1e-3 * np.abs(rows[:, 0]).max()
-    broken = np.diff(rows[:, 5]) / area
-    assert broken.max() > 0.25
+    in_one_step = np.diff(rows[:, 5]).max()
+    assert in_one_step > 0.5 * area
 
 
 def test_without_its_device_the_layer_fails(solve):
