@@ -19,6 +19,17 @@
 
 using namespace mixture_contact;
 
+namespace {
+
+/// Closes the initial gaps by relocation of the primary nodes. Returns false if there is nothing to tie.
+bool close_gaps(TieSetup& setup, ContactSurfaces& surfaces) {
+  const std::unique_ptr<Tie> before = setup.build();
+  if (before != nullptr) surfaces.relocate_primary(setup.relocated(*before));
+  return before != nullptr;
+}
+
+}  // namespace
+
 BEGIN_FECORE_CLASS(FEMixtureTie, FEContactInterface)
   for_each_tie_parameter(parameters_,
                          [this](const ParameterTag& tag, auto& value) { offer_parameter(*this, tag, value); });
@@ -54,7 +65,7 @@ bool FEMixtureTie::Init() {
       *this, [this](const auto& take) { for_each_tie_parameter(parameters_, take); });
   log_.errors(wrong);
   if (!wrong.empty() || !prepare_surfaces() || !setup_.check()) return false;
-  if (parameters_.gap.node_reloc && !close_gaps()) return false;
+  if (parameters_.gap.node_reloc && !close_gaps(setup_, surfaces_)) return false;
   if (parameters_.breaking.max_traction.given) add_sliding_contact();
   return true;
 }
@@ -89,12 +100,6 @@ bool FEMixtureTie::prepare_surfaces() {
     if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
   return take_shell_bottoms(surfaces_, parameters_, log_);
-}
-
-bool FEMixtureTie::close_gaps() {
-  const std::unique_ptr<Tie> before = setup_.build();
-  if (before != nullptr) surfaces_.relocate_primary(setup_.relocated(*before));
-  return before != nullptr;
 }
 
 int FEMixtureTie::InitEquations(int first) {

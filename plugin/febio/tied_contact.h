@@ -49,8 +49,6 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   FEMixtureContact& sliding() const { return static_cast<FEMixtureContact&>(*sliding_); }
   /// Sets the damage of the tie, and frees broken nodes for the sliding contact.
   void take_damage(mixture_contact::DamageState damage);
-  /// Closes the initial gaps by relocation of the primary nodes.
-  bool close_gaps();
   void update_laws();
   mixture_contact::PerSide<mixture_contact::SurfaceFields> fields();
   /// Stores the output. `damage`: damage of the present state.
