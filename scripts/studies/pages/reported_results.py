@@ -40,6 +40,11 @@ def all_scenes(results: Results) -> str:
     return ALL_HEAD.format(stamp=results.stamp, most=MOST, table=table(results.rows))
 
 
+def compared(rows: Sequence[Row]) -> str:
+    """The summary with its details."""
+    return f"{summary(rows)}\n\n{details(rows)}"
+
+
 def _short(rows: Sequence[Row]) -> str:
     """A table of names and counts alone."""
     cells = ([row.name, *(_brief(took) for took in (row.febio, *_ours(row)))] for row in rows)

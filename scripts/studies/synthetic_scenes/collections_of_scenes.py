@@ -13,6 +13,7 @@ from studies.synthetic_scenes import comparison
 from studies.synthetic_scenes.all_scenes import SCENES
 from studies.synthetic_scenes.comparison import Written
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
+from studies.synthetic_scenes.varied_scenes import SCENES as VARIED
 
 
 class Collection(str, Enum):
@@ -22,6 +23,8 @@ class Collection(str, Enum):
     """Mostly a block on a slab: every element, material, module and solver."""
     REPORTED = "reported"
     """Kinds of model that users report."""
+    VARIED = "varied"
+    """Reported scenes with random materials, contacts and solvers, `seed-000` to `seed-999`."""
 
 
 @dataclass(frozen=True)
@@ -33,8 +36,8 @@ class Study:
     scenes : mapping of str to Written
     ways : sequence of str
         Names of `comparison.WAYS`.
-    data : Path
-        Below docs/.
+    data : Path, optional
+        Below docs/; None where nothing is kept.
     pages : mapping of str to callable
         Generated pages below docs/.
     summary, table : callable
@@ -43,7 +46,7 @@ class Study:
 
     scenes: Mapping[str, Written]
     ways: Sequence[str]
-    data: Path
+    data: Path | None
     pages: Mapping[str, Callable[[Results], str]]
     summary: Callable[[Sequence[Row]], str]
     table: Callable[[Sequence[Row]], str]
@@ -64,6 +67,14 @@ STUDIES: Mapping[Collection, Study] = {
         reported_results.DATA,
         {reported_results.PAGE: reported_results.page, reported_results.ALL: reported_results.all_scenes},
         reported_results.summary,
+        reported_results.table,
+    ),
+    Collection.VARIED: Study(
+        VARIED,
+        tuple(reported_results.WAYS),
+        None,
+        {},
+        reported_results.compared,
         reported_results.table,
     ),
 }
