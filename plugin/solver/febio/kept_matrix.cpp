@@ -61,7 +61,8 @@ std::vector<double> solution_with(const std::vector<Condition>& conditions, Bord
 }  // namespace
 
 void KeptMatrix::formed(const MatrixParts& parts) {
-  is_requested_ = false;  // FEBio has met the request
+  // FEBio has met the request, if there was one.
+  if (std::exchange(is_requested_, false) && leaves_too_much()) ++served_.spent;
   begin();
   prepare({}, parts);
 }
@@ -105,12 +106,16 @@ void KeptMatrix::begin() {
   may_correct_ = true;
 }
 
-bool KeptMatrix::is_spent() {
-  follow();
+bool KeptMatrix::leaves_too_much() {
   const double left = norm(system_.solver().vectors().residual);
   const double before = std::exchange(served_.left, left);
   const bool has_been_corrected = served_.iterations > 0;
-  const bool is_spent = has_been_corrected && left > most_left * before && system_.may_form_matrix();
+  return has_been_corrected && left > most_left * before;
+}
+
+bool KeptMatrix::is_spent() {
+  follow();
+  const bool is_spent = leaves_too_much() && system_.may_form_matrix();
   if (is_spent) ++served_.spent;
   return is_spent;
 }
