@@ -6,6 +6,8 @@ import pytest
 from lxml import etree
 
 from harness.conversion import convert
+from studies.stamps import LIMIT
+from studies.synthetic_scenes import comparison
 from studies.synthetic_scenes.varied_scenes import SCENES, Varied
 
 
@@ -25,3 +27,12 @@ def test_parameters_that_are_drawn_stand_once(tmp_path):
 
 def test_seeds_differ():
     assert len({Varied(seed).about for seed in range(8)}) > 4
+
+
+@pytest.mark.usefixtures("runner")
+def test_corrections_of_a_matrix_that_do_not_help_end(tmp_path):
+    """A porous body between rigid plates, BFGS: each correction undoes what the iteration before it has done."""
+    row = comparison.compare("seed-082", SCENES["seed-082"], tmp_path, LIMIT, ("converted",))
+    assert row.converted.ended, row.converted.why
+    assert row.converted.retries == row.febio.retries == 0
+    assert row.converted.iterations <= row.febio.iterations
