@@ -17,6 +17,19 @@ std::pair<int, bool> face_of(const FEMixtureSurface& surface, int node) {
   return {surface.NodeIndex(node), surface.has_shell_bottoms()};
 }
 
+/// The pressure and the concentrations of a face.
+std::vector<Place> places_of(const DofMap& dofs, const std::pair<int, bool>& face) {
+  const auto [node, is_back] = face;
+  std::vector<Place> places{{node, dofs.pressure(is_back)}};
+  for (int k = 0; k < dofs.concentrations(); ++k) places.push_back({node, dofs.concentration(is_back, k)});
+  return places;
+}
+
+/// True if ambient conditions may act on a nodal value: it exists, and no boundary condition prescribes it.
+bool is_free(FEModel& fem, const newton::Solver& solver, Place place) {
+  return place.dof >= 0 && fem.GetMesh().Node(place.node).get_bc(place.dof) == DOF_OPEN && solver.equation(place) != -1;
+}
+
 }  // namespace
 
 std::map<AmbientConditions::Face, AmbientConditions::NodeStatus> AmbientConditions::status_of_nodes(
@@ -43,43 +56,30 @@ std::map<AmbientConditions::Face, AmbientConditions::NodeStatus> AmbientConditio
   return nodes;
 }
 
-/// True if ambient conditions may act on a nodal value: it exists, and no boundary condition prescribes it.
-bool AmbientConditions::is_free(Place place) const {
-  return place.dof >= 0 && fem_.GetMesh().Node(place.node).get_bc(place.dof) == DOF_OPEN &&
-         solver_.equation(place) != -1;
-}
-
-bool AmbientConditions::release(Place place) {
-  if (!newton::release_with_value(solver_, place)) return false;
+bool AmbientConditions::release(newton::Solver& solver, Place place) {
+  if (!newton::release_with_value(solver, place)) return false;
   released_.push_back(place);
   return true;
 }
 
-bool AmbientConditions::apply(Place place, const NodeStatus& status) {
-  if (!is_free(place) || helpers_.keeps(place, status.in_contact)) return false;
-  if (status.in_contact) return release(place);
-  return newton::hold_at(solver_, place, status.ambient->ambient_value(place.dof));
-}
-
-bool AmbientConditions::apply(const DofMap& dofs, const Face& face, const NodeStatus& status) {
-  const auto [node, is_back] = face;
-  bool changed = apply({node, dofs.pressure(is_back)}, status);
-  for (int k = 0; k < dofs.concentrations(); ++k) {
-    changed = apply({node, dofs.concentration(is_back, k)}, status) || changed;
-  }
-  return changed;
-}
-
-bool AmbientConditions::apply(const std::vector<ContactInModel*>& contacts) {
+bool AmbientConditions::apply(FEModel& fem, newton::Solver& solver, newton::Helpers& helpers,
+                              const std::vector<ContactInModel*>& contacts) {
   if (contacts.empty()) return false;
   const DofMap& dofs = contacts.front()->bound().dofs();
   if (dofs.pressure(false) < 0) return false;
   bool changed = false;
-  for (const auto& [face, status] : status_of_nodes(contacts)) changed = apply(dofs, face, status) || changed;
+  for (const auto& [face, status] : status_of_nodes(contacts)) {
+    for (const Place place : places_of(dofs, face)) {
+      if (!is_free(fem, solver, place) || helpers.keeps(place, status.in_contact)) continue;
+      const bool acts = status.in_contact ? release(solver, place)
+                                          : newton::hold_at(solver, place, status.ambient->ambient_value(place.dof));
+      changed = changed || acts;
+    }
+  }
   return changed;
 }
 
-void AmbientConditions::begin_step() {
-  for (const Place place : released_) newton::synchronise(solver_, place);
+void AmbientConditions::begin_step(newton::Solver& solver) {
+  for (const Place place : released_) newton::synchronise(solver, place);
   released_.clear();
 }

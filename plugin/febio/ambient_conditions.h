@@ -17,16 +17,15 @@ class FEModel;
 /// Sets ambient values at the open nodes of a model.
 class AmbientConditions {
  public:
-  AmbientConditions(FEModel& fem, newton::Solver& solver, newton::Helpers& helpers)
-      : fem_(fem), solver_(solver), helpers_(helpers) {}
-
   /// Prescribes ambient values at nodes out of contact, and frees the other nodes, which keep their values. It must not
-  /// be called while a trial increment is evaluated. Returns true if anything changed.
-  bool apply(const std::vector<ContactInModel*>& contacts);
+  /// be called while a trial increment is evaluated. `helpers`: may keep the values of nodes. Returns true if anything
+  /// changed.
+  bool apply(FEModel& fem, newton::Solver& solver, newton::Helpers& helpers,
+             const std::vector<ContactInModel*>& contacts);
 
   /// Sets the solver's vectors for nodes that were freed since the last call, because a failed attempt may have changed
   /// these vectors.
-  void begin_step();
+  void begin_step(newton::Solver& solver);
 
  private:
   struct NodeStatus {
@@ -38,13 +37,7 @@ class AmbientConditions {
   /// The status of the nodes to which ambient conditions may apply: those of free-draining contacts. The contact status
   /// takes all contacts into account.
   static std::map<Face, NodeStatus> status_of_nodes(const std::vector<ContactInModel*>& contacts);
-  bool apply(const DofMap& dofs, const Face& face, const NodeStatus& status);
-  bool apply(newton::Place place, const NodeStatus& status);
-  bool is_free(newton::Place place) const;
-  bool release(newton::Place place);
+  bool release(newton::Solver& solver, newton::Place place);
 
-  FEModel& fem_;
-  newton::Solver& solver_;
-  newton::Helpers& helpers_;
   std::vector<newton::Place> released_;  ///< values freed since the last begin_step()
 };

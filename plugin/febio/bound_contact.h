@@ -17,8 +17,9 @@ mixture_contact::PerSide<mixture_contact::SurfaceFields> fields_of(const DofMap&
 /// A contact core that takes its state from FEBio's nodes.
 class BoundContact : public mixture_contact::SteppedContact {
  public:
-  BoundContact(DofMap& dofs, const ContactParameters& parameters, const ContactLog& log)
-      : dofs_(dofs), parameters_(parameters), log_(log) {}
+  /// Keeps references. `contact`: the contact in the model, for lines in the log.
+  BoundContact(ContactSurfaces& surfaces, const ContactParameters& parameters, FECoreBase& contact)
+      : dofs_(surfaces), parameters_(parameters), log_(contact) {}
 
   /// Makes the core. It has to be called before all other functions.
   void build(mixture_contact::PerSide<mixture_contact::SurfaceMesh> meshes, const mixture_contact::Effects& effects);
@@ -31,6 +32,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   void go_on_from(const mixture_contact::NumberedState& before);
   mixture_contact::ContactInterface& core() const override { return *core_; }
   ContactSurfaces& surfaces() const { return dofs_.surfaces(); }
+  DofMap& dofs() { return dofs_; }
   const DofMap& dofs() const { return dofs_; }
   const ContactParameters& parameters() const { return parameters_; }
   const ContactLog& log() const { return log_; }
@@ -62,9 +64,9 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// Restores a state with other nodes, after a failed attempt in which elements have eroded.
   void rewind_to(const mixture_contact::NumberedState& before);
 
-  DofMap& dofs_;
+  DofMap dofs_;
   const ContactParameters& parameters_;
-  const ContactLog& log_;
+  ContactLog log_;
   ContactOwner* owner_ = nullptr;
   std::unique_ptr<mixture_contact::ContactInterface> core_;
   mixture_contact::NodeNumbers numbers_;  ///< numbers of the core's nodes in the mesh

@@ -6,18 +6,14 @@
 /// Stores and logs the output of a contact.
 class ContactOutput {
  public:
-  /// Keeps a reference.
-  explicit ContactOutput(const BoundContact& contact) : contact_(contact) {}
-
   /// Stores the values of a step that has been solved.
-  void store();
+  void store(const BoundContact& contact);
   /// Logs the measured times at the end of the run.
-  void log_timings() const;
+  void log_timings(const BoundContact& contact) const;
 
  private:
-  void warn_of_overlap();
+  void warn_of_overlap(const BoundContact& contact);
 
-  const BoundContact& contact_;
   mixture_contact::Stopwatch run_;  ///< time since the contact was read
   bool has_warned_ = false;         ///< true if an overlap has been reported in this run
 };

@@ -2,6 +2,7 @@
 
 #include "contact/base/indexed_vector.h"
 #include "contact/interface/multipliers.h"
+#include "host/friction.h"
 #include "host/membrane.h"
 #include "material_properties.h"
 #include "membrane_values.h"
@@ -76,11 +77,11 @@ bool ContactSetup::has_sound_values() const {
   return wrong.empty();
 }
 
-bool ContactSetup::check_parameters() const {
+bool ContactSetup::check_parameters(const AmbientConcentrations& ambient) const {
   const bool sound = has_sound_values();
   for (const std::string& sentence : notices(parameters())) log().say(sentence);
-  const bool has_ambient = parameters().ambient.pressure != 0 || !ambient_.empty();
-  if (!parameters().ambient.free_draining && has_ambient && !has_friction(parameters()))
+  const bool has_ambient = parameters().ambient.pressure != 0 || !ambient.empty();
+  if (has_ambient && !reads_ambient_values(parameters()))
     log().say("ambient values have no effect: <free_draining> is 0.");
   return sound;
 }
@@ -105,9 +106,9 @@ bool ContactSetup::have_no_inner_facets() const {
   return true;
 }
 
-bool ContactSetup::check_ambient() const {
+bool ContactSetup::check_ambient(const AmbientConcentrations& ambient) const {
   const double unlimited = std::numeric_limits<double>::infinity();
-  const std::string wrong = complaint("ambient_concentration", solute_values(ambient_), dofs().concentrations(),
+  const std::string wrong = complaint("ambient_concentration", solute_values(ambient), dofs().concentrations(),
                                       unlimited);
   if (!wrong.empty()) log().error(wrong);
   return wrong.empty();
@@ -183,8 +184,8 @@ std::vector<FieldAtContact> ContactSetup::fields_of_model(const FacetMaterials& 
   return fields;
 }
 
-FrictionRequest ContactSetup::friction_of_model(const FacetMaterials& materials) const {
-  return friction_request(parameters(), dofs().pressure(false) >= 0 && has_fluid(materials));
+mixture_contact::FrictionKind ContactSetup::friction_of_model(const FacetMaterials& materials) const {
+  return requested_friction(parameters(), dofs().pressure(false) >= 0 && has_fluid(materials));
 }
 
 std::optional<Effects> ContactSetup::effects(const FacetMaterials& materials) {
@@ -249,8 +250,8 @@ void ContactSetup::find_immovable_nodes() const {
 
 bool ContactSetup::has_reducible_penalty() const { return is_reducible(parameters(), solver_kind_of(fem())); }
 
-bool ContactSetup::follow_load_curves(const ReducedPenalty& reduction) {
-  const bool sound = has_sound_values() && check_ambient();
+bool ContactSetup::follow_load_curves(const AmbientConcentrations& ambient, const ReducedPenalty& reduction) {
+  const bool sound = has_sound_values() && check_ambient(ambient);
   if (sound) update_laws(reduction);
   return sound;
 }

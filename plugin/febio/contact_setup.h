@@ -17,13 +17,13 @@ bool can_solve_for_multipliers(FEModel& fem, const DofMap& dofs, const ContactLo
 /// Sets up a sliding contact.
 class ContactSetup {
  public:
-  /// Keeps references to all arguments.
-  ContactSetup(BoundContact& contact, const AmbientConcentrations& ambient) : contact_(contact), ambient_(ambient) {}
+  /// Keeps a reference.
+  explicit ContactSetup(BoundContact& contact) : contact_(contact) {}
 
   // The next functions log the faults that they find, and return true if there are none.
-  bool check_parameters() const;
+  bool check_parameters(const AmbientConcentrations& ambient) const;
   bool check_surfaces() const;
-  bool check_ambient() const;
+  bool check_ambient(const AmbientConcentrations& ambient) const;
   bool check_mesh_adaptors() const;
 
   /// Makes the core from the materials. If that is impossible, logs the reason and returns false.
@@ -36,7 +36,7 @@ class ContactSetup {
   /// penalties.
   void update_laws(const mixture_contact::ReducedPenalty& reduction);
   /// Calls update_laws() if all values of load curves are valid. Otherwise it logs the invalid ones and returns false.
-  bool follow_load_curves(const mixture_contact::ReducedPenalty& reduction);
+  bool follow_load_curves(const AmbientConcentrations& ambient, const mixture_contact::ReducedPenalty& reduction);
   /// True if reduced penalties have an effect on this contact.
   bool has_reducible_penalty() const;
   /// Disables the traction if no node can move in the present analysis step. Returns true if the requested effects
@@ -56,7 +56,7 @@ class ContactSetup {
   std::optional<FacetMaterials> materials() const;
   void say_stand_in() const;
   std::vector<FieldAtContact> fields_of_model(const FacetMaterials& materials) const;
-  FrictionRequest friction_of_model(const FacetMaterials& materials) const;
+  mixture_contact::FrictionKind friction_of_model(const FacetMaterials& materials) const;
   std::optional<mixture_contact::Effects> effects(const FacetMaterials& materials);
   /// True if an automatic penalty has no element on whose stiffness it can be based.
   bool lacks_stiffness(const FacetMaterials& materials) const;
@@ -67,9 +67,9 @@ class ContactSetup {
   SolverKind solver_kind();
 
   BoundContact& contact_;
-  const AmbientConcentrations& ambient_;
   std::vector<FieldAtContact> fields_at_contact_;  ///< fields that the materials on both sides permit
-  FrictionRequest friction_;                       ///< friction by the parameters and materials
-  std::optional<double> crossing_;                 ///< longest_crossing() of the materials [s]; not known until needed
-  std::string summary_;                            ///< last line in the log about the exchanged effects
+  /// Friction by the parameters and materials.
+  mixture_contact::FrictionKind friction_ = mixture_contact::FrictionKind::none;
+  std::optional<double> crossing_;  ///< longest_crossing() of the materials [s]; not known until needed
+  std::string summary_;             ///< last line in the log about the exchanged effects
 };

@@ -175,16 +175,17 @@ MaterialParts parts_of(FEMaterial& material) {
           permeability_of(material), dynamic_cast<FESoluteInterface*>(&material)};
 }
 
-std::optional<FacetMaterial> MaterialReader::behind(FESurface& surface, FESurfaceElement& facet, std::string& problem) {
+std::optional<FacetMaterial> MaterialReader::behind(FEModel& fem, FESurface& surface, FESurfaceElement& facet,
+                                                    std::string& problem) {
   FEElement* element = facet.m_elem[0].pe;
   if (element == nullptr) {
     problem = "a facet of the surface is not a face of any element";
     return std::nullopt;
   }
-  FacetGeometry geometry = geometry_of(fem_, surface, facet, *element);
-  FEMaterial& material = *fem_.GetMaterial(element->GetMatID());
+  FacetGeometry geometry = geometry_of(fem, surface, facet, *element);
+  FEMaterial& material = *fem.GetMaterial(element->GetMatID());
   if (last_.material != &material) last_ = parts_of(material);
-  problem = problem_of(fem_, facet, geometry, last_.rigid != nullptr);
+  problem = problem_of(fem, facet, geometry, last_.rigid != nullptr);
   if (!problem.empty()) return std::nullopt;
   // The size of the facet replaces the thickness, which rigid shells may lack.
   if (!(geometry.thickness > 0)) geometry.thickness = std::sqrt(surface.FaceArea(facet));

@@ -34,15 +34,11 @@ MaterialParts parts_of(FEMaterial& material);
 /// Reads the materials behind facets.
 class MaterialReader {
  public:
-  /// Keeps a reference to the model.
-  explicit MaterialReader(FEModel& fem) : fem_(fem) {}
-
   /// The material behind a facet. Empty if contact cannot act on the material; `problem` then contains the reason as a
   /// sentence. It uses a copy of the material point, so that the element's deformation and stress do not change.
-  std::optional<FacetMaterial> behind(FESurface& surface, FESurfaceElement& facet, std::string& problem);
+  std::optional<FacetMaterial> behind(FEModel& fem, FESurface& surface, FESurfaceElement& facet, std::string& problem);
 
  private:
-  FEModel& fem_;
   MaterialParts last_;  ///< parts of the last material, which most often is also the next one
 };
 

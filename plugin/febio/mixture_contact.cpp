@@ -43,13 +43,10 @@ END_FECORE_CLASS()
 FEMixtureContact::FEMixtureContact(FEModel* fem)
     : FEContactInterface(fem),
       model_(ModelContacts::of(*fem)),
-      log_(*this),
       surfaces_(*fem, *this),
-      dofs_(surfaces_),
-      bound_(dofs_, parameters_, log_),
-      setup_(bound_, properties_.ambient),
-      assembly_(bound_, loads_),
-      output_(bound_) {
+      bound_(surfaces_, parameters_, *this),
+      setup_(bound_),
+      assembly_(bound_, loads_) {
   // For any enforcement by the user, FEBio has to call Augment() before it accepts a solution.
   m_laugon = FECore::AUGLAG_METHOD;
   SetID(fem->SurfacePairConstraints() + 1);
@@ -61,25 +58,25 @@ FEMixtureContact::~FEMixtureContact() { model_->remove(*this); }
 // ------------------------------------------------------------ setting up
 
 bool FEMixtureContact::Init() {
-  dofs_.init();
+  bound_.dofs().init();
   std::vector<std::string> wrong = find_load_curves(
       *this, [this](const auto& take) { for_each_parameter(parameters_, take); });
   parameters_.membrane.thermal_energy = GetFEModel()->GetGlobalConstant("R") * GetFEModel()->GetGlobalConstant("T");
   read_properties();
   find_self_contact();
   for (const std::string& complaint : model_->complaints(*this)) wrong.push_back(complaint);
-  log_.errors(wrong);
-  if (!setup_.check_parameters() || !wrong.empty()) return false;
+  bound_.log().errors(wrong);
+  if (!setup_.check_parameters(properties_.ambient) || !wrong.empty()) return false;
   if (m_psf != 1 || m_psfmax != 0)
-    log_.say("<penalty_sf> and <max_penalty_sf> have no effect: AUGLAG raises penalties automatically.");
+    bound_.log().say("<penalty_sf> and <max_penalty_sf> have no effect: AUGLAG raises penalties automatically.");
   for (const Side side : both_sides) {
     if (!surfaces_[side].Init()) return false;
   }
   for (const Side side : both_sides) {
     if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
   }
-  const bool sound = setup_.check_surfaces() && take_shell_bottoms(surfaces_, parameters_, log_) &&
-                     setup_.check_mesh_adaptors() && setup_.build() && setup_.check_ambient();
+  const bool sound = setup_.check_surfaces() && take_shell_bottoms(surfaces_, parameters_, bound_.log()) &&
+                     setup_.check_mesh_adaptors() && setup_.build() && setup_.check_ambient(properties_.ambient);
   surfaces_.take_change();
   return sound;
 }
@@ -94,14 +91,14 @@ void FEMixtureContact::find_self_contact() {
   parameters_.self_contact = common > 0;
   const bool is_same = common == surfaces_[Side::primary].Elements() && common == surfaces_[Side::secondary].Elements();
   if (is_same && std::exchange(parameters_.enforcement.two_pass, false))
-    log_.say("<two_pass> has no effect: both surfaces are the same, and each side has conditions already.");
+    bound_.log().say("<two_pass> has no effect: both surfaces are the same, and each side has conditions already.");
 }
 
 int FEMixtureContact::InitEquations(int first) {
   may_run_ = setup_.decide_traction();
   setup_.find_immovable_nodes();
   assembly_.forget_matrix();
-  dofs_.number_multipliers(first);
+  bound_.dofs().number_multipliers(first);
   const int multipliers = indexing::as_int(multiplier_layout(core()).size());
   return multipliers + loads_.number(first + multipliers, core(), surfaces_with_load_equations());
 }
@@ -112,19 +109,19 @@ PerSide<bool> FEMixtureContact::surfaces_with_load_equations() const {
   const bool has_other_unknowns = GetFEModel()->MeshAdaptors() > 0 || has_linear_constraints(*GetFEModel());
   const bool any = bound_.owner() == nullptr && model_->devices().is_on(newton::Device::loads_as_unknowns) &&
                    core().pass(0).has_load_blocks() && takes_mixed_form(*GetFEModel()) && !has_other_unknowns &&
-                   model_->steps().allow_further_unknowns() && dofs_.has_free_node(Side::primary) &&
-                   dofs_.has_free_node(Side::secondary);
+                   model_->steps().allow_further_unknowns() && bound_.dofs().has_free_node(Side::primary) &&
+                   bound_.dofs().has_free_node(Side::secondary);
   return {{any, any && core().settings().two_pass}};
 }
 
 void FEMixtureContact::follow_surfaces() {
   const NumberedState before = bound_.numbered_state();
   const bool is_same_mesh = bound_.nodes_of_mesh() == GetFEModel()->GetMesh().Nodes();
-  if (!setup_.check_surfaces() || !setup_.build()) log_.end_run();
+  if (!setup_.check_surfaces() || !setup_.build()) bound_.log().end_run();
   if (is_same_mesh) bound_.go_on_from(before);
-  log_.line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
-            std::to_string(surfaces_[Side::primary].Elements()) + " and " +
-            std::to_string(surfaces_[Side::secondary].Elements()) + " now.");
+  bound_.log().line("sliding-mixture \"" + GetName() + "\": the facets of its surfaces have changed, " +
+                    std::to_string(surfaces_[Side::primary].Elements()) + " and " +
+                    std::to_string(surfaces_[Side::secondary].Elements()) + " now.");
 }
 
 void FEMixtureContact::Activate() {
@@ -132,7 +129,7 @@ void FEMixtureContact::Activate() {
   read_properties();
   const bool has_changed = surfaces_.take_change();
   if (const FEMixtureSurface* const gone = surfaces_.without_facets()) {
-    log_.say("surface \"" + gone->GetName() + "\" has no facets left, and the contact is switched off.");
+    bound_.log().say("surface \"" + gone->GetName() + "\" has no facets left, and the contact is switched off.");
     return Deactivate();
   }
   if (parameters_.gap.node_reloc && !relocated_) {
@@ -142,10 +139,10 @@ void FEMixtureContact::Activate() {
   if (has_changed) follow_surfaces();
   setup_.update_laws(model_->penalty_reduction());
   setup_.update_properties();
-  if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), log_);
-  judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), log_);
+  if (!parameters_.enforcement.symmetric_stiffness) ask_for_nonsymmetric_matrix(*GetFEModel(), bound_.log());
+  judge_linear_solver(*GetFEModel(), core().pass(0).space().has_unknown_multipliers(), bound_.log());
   model_->activate(*this);
-  if (has_changed) output_.store();
+  if (has_changed) output_.store(bound_);
 }
 
 void FEMixtureContact::Deactivate() {
@@ -159,7 +156,7 @@ void FEMixtureContact::Deactivate() {
 void FEMixtureContact::PrepStep() {
   read_properties();
   setup_.find_immovable_nodes();  // the surfaces may have changed since FEBio numbered the equations
-  if (!may_run_ || !setup_.follow_load_curves(model_->penalty_reduction())) log_.end_run();
+  if (!may_run_ || !setup_.follow_load_curves(properties_.ambient, model_->penalty_reduction())) bound_.log().end_run();
   if (reads_properties_again(parameters_, core().effects())) setup_.update_properties();
   model_->prepare_step(*this);
 }
@@ -167,7 +164,8 @@ void FEMixtureContact::PrepStep() {
 void FEMixtureContact::Update() {
   read_properties();
   // FEBio does not prepare contacts for a step if its solver is not of Newton's kind.
-  if (!model_->solver().is_newton() && !setup_.follow_load_curves(model_->penalty_reduction())) log_.end_run();
+  if (!model_->solver().is_newton() && !setup_.follow_load_curves(properties_.ambient, model_->penalty_reduction()))
+    bound_.log().end_run();
   model_->steps().evaluate(&bound_);
 }
 
@@ -178,7 +176,7 @@ void FEMixtureContact::Update(const std::vector<double>& total, const std::vecto
 
 void FEMixtureContact::UpdateIncrements(std::vector<double>& total, const std::vector<double>& increment) {
   // FEBio's solver for solids does not update the values of equations that belong to no node.
-  const int first = dofs_.first_multiplier();
+  const int first = bound_.dofs().first_multiplier();
   for (Index n = first; n < first + multiplier_layout(core()).size(); ++n)
     mixture_contact::at(total, n) += mixture_contact::at(increment, n);
 }
@@ -188,8 +186,8 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
   if (!model_->steps().accepts(&bound_)) return false;
   const Augmentation outcome = augment(GetName(), core(), bound_.fields(), augmentation);
   if (outcome.stiffens) model_->force_new_matrix();
-  for (const std::string& line : outcome.lines) log_.line(line);
-  if (!outcome.warning.empty()) log_.warning(outcome.warning);
+  for (const std::string& line : outcome.lines) bound_.log().line(line);
+  if (!outcome.warning.empty()) bound_.log().warning(outcome.warning);
   if (!outcome.done || !bound_.breaks_bonds(0)) return outcome.done;
   model_->force_new_matrix();
   return false;
@@ -197,7 +195,7 @@ bool FEMixtureContact::Augment(int augmentation, const FETimeInfo& /*time*/) {
 
 void FEMixtureContact::on_callback(unsigned int when) {
   if (when == CB_TIMESTEP_SOLVED) {
-    output_.store();
+    output_.store(bound_);
     core().accept_step(bound_.fields());
     if (bound_.owner() != nullptr) bound_.owner()->step_solved();
   }
@@ -206,10 +204,10 @@ void FEMixtureContact::on_callback(unsigned int when) {
     if (bound_.owner() != nullptr) {
       bound_.owner()->step_failed();
     } else if (!advice.empty()) {
-      log_.line(advice);
+      bound_.log().line(advice);
     }
   }
-  if (when == CB_SOLVED) output_.log_timings();
+  if (when == CB_SOLVED) output_.log_timings(bound_);
 }
 
 // ------------------------------------------------------------ assembly
@@ -231,10 +229,11 @@ void FEMixtureContact::StiffnessMatrix(FELinearSystem& system, const FETimeInfo&
 // ------------------------------------------------------------ ambient values and restarts
 
 double FEMixtureContact::ambient_value(int dof) const {
-  if (dof == dofs_.pressure(false) || dof == dofs_.pressure(true)) return parameters_.ambient.pressure;
+  if (dof == bound_.dofs().pressure(false) || dof == bound_.dofs().pressure(true)) return parameters_.ambient.pressure;
   for (const FEMixtureAmbientConcentration* ambient : properties_.ambient) {
     const int solute = ambient->solute > 0 ? ambient->solute - 1 : 0;
-    if (dof == dofs_.concentration(false, solute) || dof == dofs_.concentration(true, solute)) return ambient->value;
+    if (dof == bound_.dofs().concentration(false, solute) || dof == bound_.dofs().concentration(true, solute))
+      return ambient->value;
   }
   return 0;
 }
@@ -244,7 +243,7 @@ void FEMixtureContact::Serialize(DumpStream& ar) {
   for (const Side side : both_sides) surfaces_[side].Serialize(ar);
   if (!ar.IsShallow()) {
     ar & relocated_;
-    dofs_.serialize(ar);
+    bound_.dofs().serialize(ar);
     loads_.serialize(ar);
     for_each_parameter(parameters_, [&ar](const ParameterTag& tag, auto& /*value*/) {
       for (bool* const flag : {tag.given, tag.varies}) {

@@ -73,9 +73,7 @@ class FEMixtureContact : public FEContactInterface, public ContactInModel {
   std::shared_ptr<ModelContacts> model_;
   ContactParameters parameters_;
   ContactProperties properties_;
-  ContactLog log_;
   ContactSurfaces surfaces_;
-  DofMap dofs_;
   LoadEquations loads_;
   BoundContact bound_;
   ContactSetup setup_;

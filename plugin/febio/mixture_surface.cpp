@@ -86,7 +86,6 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
   std::vector<double> gap(FEElement::MAX_NODES);
   std::vector<double> pressure(FEElement::MAX_NODES);
   std::vector<double> jump(FEElement::MAX_NODES);
-  const bool has_friction = nodal.friction.traction.cols() > 0;
   for (int face = 0; face < Elements(); ++face) {
     FESurfaceElement& element = Element(face);
     for (int a = 0; a < element.Nodes(); ++a) {
@@ -103,7 +102,7 @@ void FEMixtureSurface::store_output(const mixture_contact::NodalOutput& nodal, c
       point.m_nu = SurfaceNormal(element, q);
       point.m_tr = point.m_nu * (-point.m_Ln);
     }
-    if (has_friction) store_friction(element);
+    store_friction(element);
   }
 }
 

@@ -186,28 +186,26 @@ ModelContacts::ModelContacts(FEModel& fem)
     : fem_(fem),
       solver_(fem),
       system_(solver_),
-      devices_(fem, contacts_),
-      helpers_(solver_),
-      steps_(*this, helpers_),
-      ambient_(fem, solver_, helpers_),
+      devices_(contacts_),
+      steps_(*this, newton::Helpers(solver_)),
       matrix_(system_, [this] { return equations(active()); }) {
   const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
     const auto is_helper_on = [this, which] { return devices_.is_on(which.device) && is_asked_for(which, active()); };
-    helpers_.add(which.device, std::move(helper), is_helper_on, devices_.record());
+    steps_.helpers().add(which.device, std::move(helper), is_helper_on, devices_.record());
   };
-  offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>(solver_));
-  offer(line_search_guard, std::make_unique<newton::LineSearchGuard>(solver_));
-  offer(predictor, std::make_unique<newton::Predictor>(solver_));
-  helpers_.add(
+  offer(non_negative_concentrations, std::make_unique<newton::NonNegativeConcentrations>());
+  offer(line_search_guard, std::make_unique<newton::LineSearchGuard>());
+  offer(predictor, std::make_unique<newton::Predictor>());
+  steps_.helpers().add(
       newton::Device::residual_floor,
-      std::make_unique<newton::ResidualFloor>(solver_, [this] { return load_rounding_square(active()); }),
+      std::make_unique<newton::ResidualFloor>([this] { return load_rounding_square(active()); }),
       [this] { return solver_.is_newton() && devices_.is_on(newton::Device::residual_floor); }, devices_.record());
   const auto is_newton = [this] { return solver_.is_newton(); };
   const auto is_searched = [this] {
     return devices_.is_on(newton::Device::search_after_failure) && is_any_softening(active());
   };
-  helpers_.add(std::make_unique<newton::SearchAfterFailure>(solver_, is_searched, devices_.record()), is_newton);
-  helpers_.add(std::make_unique<newton::RightHandSide>(matrix_), is_newton);
+  steps_.helpers().add(std::make_unique<newton::SearchAfterFailure>(is_searched, devices_.record()), is_newton);
+  steps_.helpers().add(std::make_unique<newton::RightHandSide>(matrix_), is_newton);
   fem.AddCallback(call_back,
                   CB_STEP_ACTIVE | CB_UPDATE_TIME | CB_MATRIX_REFORM | CB_PRE_MATRIX_SOLVE | CB_MINOR_ITERS |
                       CB_TIMESTEP_SOLVED | CB_TIMESTEP_FAILED | CB_REMESH | CB_SOLVED,
@@ -249,7 +247,7 @@ std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) cons
       return one.given && its.given && one.value != its.value;
     });
     if (differs) list.push_back(name + "affects the whole model, and another contact has a different value.");
-    const std::string unavailable = helpers_.unavailable(which.device);
+    const std::string unavailable = steps_.helpers().unavailable(which.device);
     if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }
   const std::string complaint = devices_.complaint(contact);
@@ -271,8 +269,8 @@ void ModelContacts::activate(ContactInModel& contact) {
 
 void ModelContacts::prepare_step(ContactInModel& contact) {
   if (!steps_.prepare_step(&contact.bound())) return;
-  devices_.introduce();
-  ambient_.begin_step();
+  devices_.introduce(fem_);
+  ambient_.begin_step(solver_);
 }
 
 MatrixForm ModelContacts::matrix_form() const {
@@ -304,7 +302,7 @@ void ModelContacts::serialize(ContactInModel& contact, DumpStream& ar) {
   if (!dumps_.opens(&contact.bound())) return;
   FEBioArchive archive(ar);
   if (!ar.IsShallow()) {
-    helpers_.archive(archive);
+    steps_.helpers().archive(archive);
     reducible_.for_each_value([&](auto& value) { ar & value; });
     matrix_.serialize(ar);
   }
@@ -342,7 +340,7 @@ void ModelContacts::on_callback(unsigned int when) {
   }
   if (when == CB_TIMESTEP_FAILED) {
     reduce_penalties(fem_, contacts, reducible_);
-    devices_.fail_step(will_retry(fem_) && solver_.is_newton());
+    devices_.fail_step(fem_, will_retry(fem_) && solver_.is_newton());
   }
   if (when == CB_SOLVED) {
     say(fem_, reducible_.summary());
@@ -356,7 +354,7 @@ mixture_contact::ReducedPenalty ModelContacts::penalty_reduction() const {
 
 // ------------------------------------------------------------ the model, as the contacts' steps know it
 
-bool ModelContacts::apply_ambient() { return ambient_.apply(active()); }
+bool ModelContacts::apply_ambient() { return ambient_.apply(fem_, solver_, steps_.helpers(), active()); }
 void ModelContacts::evaluate() { solver_.febio()->UpdateModel(); }
 void ModelContacts::evaluate_bodies_after_contacts() { fem_.SetMeshUpdateFlag(true); }
 void ModelContacts::request_matrix(bool is_needed) { matrix_.request(is_needed); }

@@ -69,12 +69,11 @@ class ModelContacts : public mixture_contact::SteppedModel {
   FEModel& fem_;
   newton::FEBioSolver solver_;
   newton::FEBioSystem system_;
+  std::vector<ContactInModel*> contacts_;  ///< all contacts in the order of the model
   ModelDevices devices_;
-  newton::Helpers helpers_;
   mixture_contact::ContactSteps steps_;
   AmbientConditions ambient_;
   ReduciblePenalties reducible_;
-  std::vector<ContactInModel*> contacts_;        ///< all contacts in the order of the model
   std::set<const ContactInModel*> unactivated_;  ///< contacts whose core has not been activated
   newton::KeptMatrix matrix_;
   mixture_contact::Round dumps_;

@@ -36,9 +36,9 @@ std::string ModelDevices::complaint(ContactInModel& contact) const {
   return differs ? "<solver_devices> affects the whole model, and another contact has a different value." : "";
 }
 
-void ModelDevices::introduce() {
+void ModelDevices::introduce(FEModel& fem) {
   if (std::exchange(are_introduced_, true) || chosen().all()) return;
-  feLogEx(&fem_, "\nsliding-mixture: active devices of the solver: %s.\n", newton::names(chosen()).c_str());
+  feLogEx(&fem, "\nsliding-mixture: active devices of the solver: %s.\n", newton::names(chosen()).c_str());
 }
 
 void ModelDevices::count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations) {
@@ -51,11 +51,11 @@ void ModelDevices::count_matrix(const std::vector<ContactInModel*>& contacts, bo
     record_.acted(Device::deferred_coupling);
 }
 
-void ModelDevices::fail_step(bool is_tried_again) {
+void ModelDevices::fail_step(FEModel& fem, bool is_tried_again) {
   if (record_.is_suspended()) return record_.resume();
   if (!is_tried_again || chosen().none() || !record_.suspend()) return;
   feLogEx(
-      &fem_,
+      &fem,
       "\nsliding-mixture: a step has failed. FEBio repeats it without the devices of the solver. The log reports this "
       "once in a run.\n");
 }

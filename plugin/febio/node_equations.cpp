@@ -41,8 +41,11 @@ NodeEquations::NodeEquations(const BoundContact& contact)
                       fill_multipliers(contact.core(), contact.dofs().first_multiplier(), patch, node, ids);
                     }) {}
 
-NodeEquations::NodeEquations(const DofMap& dofs, const Effects& effects, FillMultipliers fill_multipliers)
-    : dofs_(dofs), constraints_(dofs.fem()), effects_(effects), fill_multipliers_(std::move(fill_multipliers)) {
+NodeEquations::NodeEquations(const DofMap& dofs, Effects effects, FillMultipliers fill_multipliers)
+    : dofs_(dofs),
+      constraints_(dofs.fem()),
+      effects_(std::move(effects)),
+      fill_multipliers_(std::move(fill_multipliers)) {
   for (const Side side : both_sides) of_[side] = of_surface(dofs.surfaces()[side], side);
 }
 

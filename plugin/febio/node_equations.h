@@ -21,8 +21,8 @@ class NodeEquations {
   /// Sets the equations of a node's multipliers at their entries in the layout of a patch.
   using FillMultipliers = std::function<void(const mixture_contact::Patch& patch, int node, std::vector<int>& ids)>;
 
-  /// Keeps references. `fill_multipliers`: used for patches with multipliers.
-  NodeEquations(const DofMap& dofs, const mixture_contact::Effects& effects, FillMultipliers fill_multipliers);
+  /// Keeps a reference. `fill_multipliers`: used for patches with multipliers.
+  NodeEquations(const DofMap& dofs, mixture_contact::Effects effects, FillMultipliers fill_multipliers);
   explicit NodeEquations(const BoundContact& contact);
 
   /// The nodes of the mesh to which the blocks of a local vector belong.
@@ -69,7 +69,7 @@ class NodeEquations {
 
   const DofMap& dofs_;
   LinearConstraints constraints_;
-  const mixture_contact::Effects& effects_;
+  mixture_contact::Effects effects_;
   FillMultipliers fill_multipliers_;
   mixture_contact::PerSide<Surface> of_;
 };

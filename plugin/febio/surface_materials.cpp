@@ -59,12 +59,12 @@ bool take_shell_bottoms(ContactSurfaces& surfaces, const ContactParameters& para
 
 std::optional<FacetMaterials> facet_materials(FEModel& fem, ContactSurfaces& surfaces, const ContactLog& log) {
   FacetMaterials materials;
-  MaterialReader reader(fem);
+  MaterialReader reader;
   for (const Side side : both_sides) {
     FEMixtureSurface& surface = surfaces[side];
     for (int i = 0; i < surface.Elements(); ++i) {
       std::string problem;
-      const auto material = reader.behind(surface, surface.Element(i), problem);
+      const auto material = reader.behind(fem, surface, surface.Element(i), problem);
       if (!material) {
         log.error("surface \"" + surface.GetName() + "\": " + problem + ".");
         return std::nullopt;

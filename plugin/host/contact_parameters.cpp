@@ -2,6 +2,7 @@
 
 #include "contact/conditions/normal.h"
 #include "contact/geometry/quadrature.h"
+#include "friction.h"
 #include "membrane.h"
 #include "penalty_reduction.h"
 
@@ -23,8 +24,6 @@ void require_not_negative(std::vector<std::string>& list, const char* name, doub
   if (std::isfinite(value) && value >= 0) return;
   list.emplace_back("<" + std::string(name) + "> is " + std::to_string(value) + "; it must be zero or positive.");
 }
-
-constexpr int lagmult = 2;
 
 mixture_contact::Enforcement enforcement(int laugon) {
   using mixture_contact::Enforcement;
@@ -84,46 +83,6 @@ void complain_of_devices(std::vector<std::string>& list, const ContactParameters
     list.push_back("<solver_devices> names \"" + word + "\"; allowed: " + newton::allowed_devices() + ".");
 }
 
-void complain_of_friction(std::vector<std::string>& list, const ContactParameters& p) {
-  require_not_negative(list, "fric_coeff", p.friction.fric_coeff.value);
-  const bool is_part = p.friction.contact_frac.value >= 0 && p.friction.contact_frac.value <= 1;
-  if (!is_part) {
-    list.emplace_back("<contact_frac> is " + std::to_string(p.friction.contact_frac.value) +
-                      "; it must lie between 0 and 1.");
-  }
-  const bool is_positive = std::isfinite(p.friction.tangential_penalty.value) &&
-                           p.friction.tangential_penalty.value > 0;
-  if (!is_positive) {
-    list.emplace_back(
-        "<tangential_penalty> is " + std::to_string(p.friction.tangential_penalty.value) +
-        "; it must be a positive number, the factor of the tangential penalty over that of the traction.");
-  }
-  if (p.enforcement.laugon == lagmult && has_friction(p)) {
-    list.emplace_back(
-        "<fric_coeff> is set with <laugon>LAGMULT</laugon>: unknown multipliers act in the normal direction alone. Use "
-        "AUGLAG, which meets stick within its tolerance, or PENALTY.");
-  }
-}
-
-void note_friction(std::vector<std::string>& list, const ContactParameters& p) {
-  if (!has_friction(p)) {
-    const auto note = [&](bool given, const std::string& name) {
-      if (given) list.push_back("<" + name + "> has no effect: <fric_coeff> is 0.");
-    };
-    note(p.friction.contact_frac.given, "contact_frac");
-    note(p.friction.tangential_penalty.given, "tangential_penalty");
-    note(p.unused.smooth_fls.given && p.unused.smooth_fls.value, "smooth_fls");
-    return;
-  }
-  if (p.unused.smooth_fls.given && p.unused.smooth_fls.value)
-    list.emplace_back("<smooth_fls> has no effect: the contact always averages the fluid load support around nodes.");
-  if (p.enforcement.symmetric_stiffness) {
-    list.emplace_back(
-        "<symmetric_stiffness> is 1, and the tangent of friction is not symmetric. The contact uses its symmetric part, "
-        "and convergence is slower.");
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> complaints(const ContactParameters& p) {
@@ -162,7 +121,8 @@ std::vector<std::string> complaints(const ContactParameters& p) {
   if (p.enforcement.maxaug < p.enforcement.minaug) list.emplace_back("<maxaug> is less than <minaug>.");
   if (!std::isfinite(p.ambient.pressure)) list.emplace_back("<ambient_pressure> is not a finite number.");
   if (!std::isfinite(p.gap.offset.value)) list.emplace_back("<offset> is not a finite number.");
-  complain_of_friction(list, p);
+  require_not_negative(list, "fric_coeff", p.friction.fric_coeff.value);
+  complain_of_friction(p, list);
   complain_of_devices(list, p);
   complain_of_unknown(list, p);
   return list;
@@ -184,7 +144,7 @@ std::vector<std::string> notices(const ContactParameters& p) {
   if (p.search.tolerance.given && integration(p) == mixture_contact::Integration::segments) {
     list.emplace_back("<search_tol> has no effect with segments, which end at the edges of facets.");
   }
-  note_friction(list, p);
+  note_friction(p, list);
   return list;
 }
 
@@ -194,26 +154,6 @@ std::string load_curve_complaint(const ParameterTag& tag) {
          "> has a load curve, and this parameter cannot change during a run. Give a value without the attribute lc. Load curves "
          "may change penalties, tolerances, the offset, friction and ambient values.";
 }
-
-bool has_friction(const ContactParameters& p) {
-  return p.friction.fric_coeff.value != 0 || p.friction.fric_coeff.varies;
-}
-
-bool is_relieved_by_fluid(const ContactParameters& p) {
-  return p.friction.contact_frac.value < 1 || p.friction.contact_frac.varies;
-}
-
-namespace {
-
-/// The tangential penalty divided by a traction penalty of `factor` times the stiffness. If the model sets the traction
-/// penalty, the default is 1, as in FEBio's interfaces.
-double tangential_factor(const ContactParameters& p, double factor) {
-  const Given<double>& own = p.friction.tangential_penalty;
-  if (own.given || p.penalties.traction.given) return own.value;
-  return mixture_contact::friction_factor(factor);
-}
-
-}  // namespace
 
 LeftOut left_out(const ContactParameters& p) {
   const auto is_zero = [](const Varying& penalty) { return penalty.given && penalty.value == 0 && !penalty.varies; };
@@ -250,8 +190,7 @@ mixture_contact::Settings core_settings(const ContactParameters& p, SolverKind s
   settings.tolerances.traction = {relative(p.tolerances.traction), p.tolerances.gaptol.value};
   settings.tolerances.solvent = {relative(p.tolerances.solvent), p.tolerances.ptol.value};
   settings.tolerances.solute = {relative(p.tolerances.solute), p.tolerances.ctol.value};
-  settings.friction = {p.friction.fric_coeff.value, p.friction.contact_frac.value, p.ambient.pressure,
-                       tangential_factor(p, factor)};
+  settings.friction = friction_rule(p, factor);
   settings.membrane = membrane_rule(p.membrane);
   settings.tolerances.augmentations = {p.enforcement.minaug, p.enforcement.maxaug};
   settings.two_pass = p.enforcement.two_pass;

@@ -25,6 +25,9 @@ struct Varying : Given<double> {
   bool varies = false;
 };
 
+/// The value of <laugon> for unknown multipliers.
+inline constexpr int lagmult = 2;
+
 /// Parameters of the enforcement.
 struct EnforcementParameters {
   int laugon = 0;  ///< 0: PENALTY, 1: AUGLAG, 2: LAGMULT
@@ -342,12 +345,6 @@ std::string load_curve_complaint(const ParameterTag& tag);
 
 /// Notices for the user about parameters without effect, one sentence each.
 std::vector<std::string> notices(const ContactParameters& parameters);
-
-/// True if the contact has friction, or may get friction by a load curve.
-bool has_friction(const ContactParameters& parameters);
-
-/// True if a part of the load is borne by the fluid and causes no friction, or may be by a load curve.
-bool is_relieved_by_fluid(const ContactParameters& parameters);
 
 /// The effects that penalties of 0 and membrane coefficients of 0 remove. A coefficient with a load curve removes no
 /// effect.

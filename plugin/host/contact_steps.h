@@ -107,7 +107,9 @@ class SteppedModel {
 /// Performs the actions of a model's contacts at each call of the host.
 class ContactSteps {
  public:
-  ContactSteps(SteppedModel& model, newton::Helpers& helpers) : model_(model), helpers_(helpers) {}
+  /// `helpers`: the helpers of the solver, if any.
+  explicit ContactSteps(SteppedModel& model, newton::Helpers helpers = {})
+      : model_(model), helpers_(std::move(helpers)) {}
 
   /// Begins the iterations of a contact that has become active, at the present state.
   void activate(SteppedContact& contact);
@@ -132,6 +134,8 @@ class ContactSteps {
   /// Notes that an iteration has ended and that the host continues.
   void end_iteration();
   void end_step() { helpers_.end_step(); }
+  newton::Helpers& helpers() { return helpers_; }
+  const newton::Helpers& helpers() const { return helpers_; }
   /// Notes that the state at the start of a failed attempt has been restored.
   void rewind();
   /// Notes that a run is continued from a restart file.
@@ -160,7 +164,7 @@ class ContactSteps {
   bool is_solution();
 
   SteppedModel& model_;
-  newton::Helpers& helpers_;
+  newton::Helpers helpers_;
   Stepper stepper_;
   Round evaluations_;
   Round trials_;

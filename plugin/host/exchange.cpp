@@ -1,5 +1,7 @@
 #include "exchange.h"
 
+#include "friction.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -68,25 +70,6 @@ const char* without_traction(Motion motion) {
                                      : " No traction: the displacements of both surfaces are fixed.";
 }
 
-/// Decides on friction. `present` and `absent`: texts for the summary.
-void decide_friction(bool wanted, bool named, const FrictionRequest& friction, Exchange& result,
-                     std::vector<std::string>& present, std::string& absent) {
-  if (named && !friction.has_coefficient)
-    result.complaints.emplace_back("<effects> includes friction, but <fric_coeff> is 0.");
-  if (!friction.has_coefficient) return;
-  if (!wanted) {
-    absent += " No friction: <effects> omits it.";
-    return;
-  }
-  using mixture_contact::FrictionKind;
-  result.effects.friction_kind = friction.has_fluid ? FrictionKind::on_solid_part : FrictionKind::on_traction;
-  if (result.effects.traction) {
-    present.emplace_back("friction");
-  } else {
-    absent += " No friction: there is no traction.";
-  }
-}
-
 }  // namespace
 
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
@@ -101,12 +84,8 @@ void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields) {
   }
 }
 
-FrictionRequest friction_request(const ContactParameters& parameters, bool has_fluid) {
-  return {has_friction(parameters), has_fluid && is_relieved_by_fluid(parameters)};
-}
-
 Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion,
-                         const FrictionRequest& friction) {
+                         mixture_contact::FrictionKind friction) {
   Exchange result;
   const bool everything = trimmed(asked) == "all";
   const std::vector<std::string> names = everything ? std::vector<std::string>{} : words(asked);
@@ -130,7 +109,7 @@ Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtCont
     absent = without_traction(motion);
   }
   const bool rubs = std::find(names.begin(), names.end(), "friction") != names.end();
-  decide_friction(everything || rubs, rubs, friction, result, present, absent);
+  decide_friction(friction, rubs, everything || rubs, result, present, absent);
   for (const FieldAtContact& field : fields) {
     const auto means_it = [&](const std::string& name) { return is_called(field, name); };
     const bool wanted = everything || std::any_of(names.begin(), names.end(), means_it);

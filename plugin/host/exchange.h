@@ -34,19 +34,10 @@ enum class Motion {
 /// Adds penalties of 0, and membranes that stop a field, to the obstacles of the fields.
 void leave_out(const LeftOut& left_out, std::vector<FieldAtContact>& fields);
 
-/// Friction as the model requests it.
-struct FrictionRequest {
-  bool has_coefficient = false;  ///< true if the coefficient of friction is not 0 or a load curve changes it
-  bool has_fluid = false;        ///< true if fluid pressure on either side bears a part of the load
-};
-
-/// The friction that the parameters request. `has_fluid`: true if a body has fluid whose pressure is an unknown.
-FrictionRequest friction_request(const ContactParameters& parameters, bool has_fluid);
-
 /// Decides which effects a contact exchanges.
 ///
 /// `asked`: the parameter <effects>: "all", or names separated by commas, in which "solutes" means all solutes of both
 /// sides. `fields`: solvent first, then solutes, ascending. Traction is exchanged unless no node can move or touch; to
-/// leave it out otherwise is a fault. Friction is an effect if it has a coefficient.
+/// leave it out otherwise is a fault. `friction`: the friction that the model requests.
 Exchange decide_exchange(const std::string& asked, const std::vector<FieldAtContact>& fields, Motion motion,
-                         const FrictionRequest& friction = {});
+                         mixture_contact::FrictionKind friction = mixture_contact::FrictionKind::none);

@@ -50,7 +50,8 @@ std::string scientific(double value) {
 /// The columns of the table: name and time [s].
 std::vector<std::pair<std::string, double>> columns(const TimingBreakdown& spent, const Effects& effects) {
   std::vector<std::pair<std::string, double>> all{{"shared", spent.shared}, {"traction", spent.traction}};
-  if (effects.may_rub()) all.emplace_back("friction", spent.friction);
+  const auto tangential = mixture_contact::tangential_condition(effects.friction_kind).count();
+  all.resize(all.size() + indexing::entries(tangential), {"friction", spent.friction});
   for (int field = 0; field < effects.scalar_fields(); ++field) {
     const int solute = solute_of(effects, field);
     all.emplace_back(solute < 0 ? "solvent" : "solute " + std::to_string(solute + 1), spent.fields[field]);

@@ -22,7 +22,7 @@ std::string Helpers::unavailable(Device device) const {
   const auto is_it = [&](const Switched& switched) { return switched.device == device; };
   const auto found = std::find_if(helpers_.begin(), helpers_.end(), is_it);
   if (found == helpers_.end()) throw std::invalid_argument(std::string("no helper of the solver is ") + name(device));
-  return found->helper->unavailable();
+  return found->helper->unavailable(*solver_);
 }
 
 double Helpers::residual_left() const {
@@ -66,47 +66,47 @@ void Helpers::Switched::count() const {
 }
 
 void Helpers::begin_step() {
-  for_each_switched([](const Switched& switched) {
-    if (switched.is_on() && switched.helper->begin_step()) switched.count();
+  for_each_switched([&](const Switched& switched) {
+    if (switched.is_on() && switched.helper->begin_step(*solver_)) switched.count();
   });
 }
 
 void Helpers::begin_iterations() {
-  for_each_switched([](const Switched& switched) {
+  for_each_switched([&](const Switched& switched) {
     if (switched.is_on()) {
-      switched.helper->begin_iterations();
+      switched.helper->begin_iterations(*solver_);
     } else {
-      switched.helper->let_go();
+      switched.helper->let_go(*solver_);
     }
   });
 }
 
 void Helpers::try_increment(const std::vector<double>& increment) {
-  for_each([&](Helper& helper) { helper.try_increment(increment); });
+  for_each([&](Helper& helper) { helper.try_increment(*solver_, increment); });
 }
 
 bool Helpers::adapt() {
-  return any_acts([](Helper& helper) { return helper.adapt(); });
+  return any_acts([&](Helper& helper) { return helper.adapt(*solver_); });
 }
 
 bool Helpers::adapt_before_residual() {
-  return any_acts([](Helper& helper) { return helper.adapt_before_residual(); });
+  return any_acts([&](Helper& helper) { return helper.adapt_before_residual(*solver_); });
 }
 
 bool Helpers::are_settled() {
-  return !any([](const Helper& helper) { return !helper.is_settled(); });
+  return !any([&](const Helper& helper) { return !helper.is_settled(*solver_); });
 }
 
 bool Helpers::reject() {
-  return any_acts([](Helper& helper) { return helper.rejects(); });
+  return any_acts([&](Helper& helper) { return helper.rejects(*solver_); });
 }
 
 bool Helpers::predict(const std::function<void()>& arrived) {
-  return any_acts([&](Helper& helper) { return helper.predict(arrived); });
+  return any_acts([&](Helper& helper) { return helper.predict(*solver_, arrived); });
 }
 
 void Helpers::complete_residual() {
-  for_each([](Helper& helper) { helper.complete_residual(); });
+  for_each([&](Helper& helper) { helper.complete_residual(*solver_); });
 }
 
 bool Helpers::multiply_by_matrix() const {
@@ -114,11 +114,11 @@ bool Helpers::multiply_by_matrix() const {
 }
 
 void Helpers::end_step() {
-  for_each([](Helper& helper) { helper.end_step(); });
+  for_each([&](Helper& helper) { helper.end_step(*solver_); });
 }
 
 void Helpers::rewind() {
-  for_each([](Helper& helper) { helper.rewind(); });
+  for_each([&](Helper& helper) { helper.rewind(*solver_); });
 }
 
 bool Helpers::keeps(Place place, bool keep) {

@@ -16,7 +16,8 @@
 
 namespace newton {
 
-/// A helper of a Newton solver. The functions are called at the phases of a step; by default they do nothing.
+/// A helper of a Newton solver. The functions are called at the phases of a step, with the solver; by default they do
+/// nothing.
 class Helper {
  public:
   Helper() = default;
@@ -27,39 +28,39 @@ class Helper {
   virtual ~Helper() = default;
 
   /// The reason why the helper is not available in this model, as the end of a sentence; empty if it is available.
-  virtual std::string unavailable() const { return {}; }
+  virtual std::string unavailable(const Solver& /*solver*/) const { return {}; }
 
   /// A time step, or an attempt at one, begins. Returns true if the helper acts.
-  virtual bool begin_step() { return false; }
+  virtual bool begin_step(Solver& /*solver*/) { return false; }
   /// Iterations begin: at the start of a step, or after an augmentation.
-  virtual void begin_iterations() {}
+  virtual void begin_iterations(Solver& /*solver*/) {}
   /// A trial increment has been set.
-  virtual void try_increment(const std::vector<double>& /*increment*/) {}
+  virtual void try_increment(Solver& /*solver*/, const std::vector<double>& /*increment*/) {}
   /// Acts at an accepted state within iterations. Returns true if the model has to be evaluated again.
-  virtual bool adapt() { return false; }
+  virtual bool adapt(Solver& /*solver*/) { return false; }
   /// Acts at an accepted state for which the solver has not evaluated the residual. Returns true if the model has to be
   /// evaluated again.
-  virtual bool adapt_before_residual() { return false; }
+  virtual bool adapt_before_residual(Solver& /*solver*/) { return false; }
 
   /// True if, after convergence, the helper does not require further iterations at an unchanged state.
-  virtual bool is_settled() const { return true; }
+  virtual bool is_settled(Solver& /*solver*/) const { return true; }
   /// Decides on a converged state. Returns true if the solver has to continue, which the helper has then prepared.
-  virtual bool rejects() { return false; }
+  virtual bool rejects(Solver& /*solver*/) { return false; }
 
   /// Acts before the first matrix of a step: moves the model to a predicted state, and calls `arrived` there. Returns
   /// true if it did; otherwise the state is unchanged.
-  virtual bool predict(const std::function<void()>& /*arrived*/) { return false; }
+  virtual bool predict(Solver& /*solver*/, const std::function<void()>& /*arrived*/) { return false; }
   /// Changes the residual of the first iteration of a step, after its matrix has been assembled.
-  virtual void complete_residual() {}
+  virtual void complete_residual(Solver& /*solver*/) {}
   /// True if the helper multiplies changes of nodal values by the matrix, which must then have no loads as unknowns.
   virtual bool multiplies_by_matrix() const { return false; }
 
   /// A time step has been solved.
-  virtual void end_step() {}
+  virtual void end_step(Solver& /*solver*/) {}
   /// An attempt at a step has failed, and the state at its start has been restored.
-  virtual void rewind() {}
+  virtual void rewind(Solver& /*solver*/) {}
   /// Iterations begin while this helper is switched off: it has to restore the solver and the model.
-  virtual void let_go() {}
+  virtual void let_go(Solver& /*solver*/) {}
 
   /// True if the helper prescribes a nodal value.
   virtual bool holds(Place /*place*/) const { return false; }

@@ -20,32 +20,32 @@ bool is_rounding(const Solver::ResidualSquares& residual) {
 
 }  // namespace
 
-bool LineSearchGuard::begin_step() {
-  allow_search();
+bool LineSearchGuard::begin_step(Solver& solver) {
+  allow_search(solver);
   has_acted_ = false;
   return false;
 }
 
-void LineSearchGuard::try_increment(const std::vector<double>& increment) {
-  allow_search();
+void LineSearchGuard::try_increment(Solver& solver, const std::vector<double>& increment) {
+  allow_search(solver);
   tried_ = norm(increment);
 }
 
-bool LineSearchGuard::rejects() {
-  double* const tolerance = solver_.line_search().tolerance;
+bool LineSearchGuard::rejects(Solver& solver) {
+  double* const tolerance = solver.line_search().tolerance;
   if (tolerance == nullptr || *tolerance == 0 || has_acted_) return false;
-  if (tried_ >= least_part * norm(solver_.vectors().increment)) return false;
-  if (is_rounding(solver_.residual_squares())) return false;
+  if (tried_ >= least_part * norm(solver.vectors().increment)) return false;
+  if (is_rounding(solver.residual_squares())) return false;
   has_acted_ = true;
   tolerance_ = std::exchange(*tolerance, 0.0);
-  solver_.log(
+  solver.log(
       "line_search_guard: the line search shortened the last increment to less than half. FEBio does not accept this "
       "solution and applies the next increment without a line search.");
   return true;
 }
 
-void LineSearchGuard::allow_search() {
-  double* const tolerance = solver_.line_search().tolerance;
+void LineSearchGuard::allow_search(Solver& solver) {
+  double* const tolerance = solver.line_search().tolerance;
   if (!tolerance_ || tolerance == nullptr) return;
   *tolerance = *tolerance_;
   tolerance_.reset();

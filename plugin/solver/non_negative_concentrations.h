@@ -20,33 +20,30 @@ namespace newton {
 /// The helper that solves the inequality.
 class NonNegativeConcentrations : public Helper {
  public:
-  explicit NonNegativeConcentrations(Solver& solver) : solver_(solver) {}
-
   /// Prescribes the concentrations that were prescribed at the end of the last step, because the active set usually
   /// changes little.
-  void begin_iterations() override;
+  void begin_iterations(Solver& solver) override;
   /// Prescribes concentrations that are negative in the solver's vectors, and frees those whose balance requires a
   /// positive value. Returns true if any has changed.
-  bool adapt() override;
-  bool adapt_before_residual() override;
+  bool adapt(Solver& solver) override;
+  bool adapt_before_residual(Solver& solver) override;
   /// True if adapt() would change nothing.
-  bool is_settled() const override;
+  bool is_settled(Solver& solver) const override;
   /// Frees all concentrations at their value 0. Between steps, and in restart files, none is prescribed.
-  void end_step() override;
-  void let_go() override { release(); }
+  void end_step(Solver& solver) override;
+  void let_go(Solver& solver) override { release(solver); }
   bool holds(Place place) const override;
   void yield(Place place) override;
 
  private:
   /// Free concentrations that are negative in the solver's vectors.
-  std::vector<Place> negative() const;
+  static std::vector<Place> negative(Solver& solver);
   /// Prescribed concentrations whose balance requires a positive value.
-  std::vector<Place> rising() const;
-  void release();
-  void resume();
-  void hold(Place place);
+  std::vector<Place> rising(const Solver& solver) const;
+  void release(Solver& solver);
+  void resume(Solver& solver);
+  void hold(Solver& solver, Place place);
 
-  Solver& solver_;
   /// Concentrations that are prescribed as zero.
   std::vector<Place> held_;
   std::vector<Place> last_;  ///< concentrations that were prescribed at the end of the last step

@@ -78,26 +78,26 @@ void archive_steps(Archive& archive, std::vector<PastSteps>& quantities) {
 
 // ------------------------------------------------------------ steps that have been solved
 
-void Predictor::forget_other_analysis_step() {
-  const int now = solver_.analysis_step();
+void Predictor::forget_other_analysis_step(const Solver& solver) {
+  const int now = solver.analysis_step();
   if (std::exchange(analysis_step_, now) == now) return;
   variables_.clear();
   loads_.clear();
   error_in_vain_ = largest_error;
 }
 
-void Predictor::end_step() {
+void Predictor::end_step(Solver& solver) {
   plain_steps_ = std::max(0, plain_steps_ - 1);
   if (!std::exchange(has_predicted_, false)) {
-    iterations_plain_ = solver_.iterations();
+    iterations_plain_ = solver.iterations();
   } else {
-    error_in_vain_ = solver_.iterations() < iterations_plain_ ? largest_error : error_;
+    error_in_vain_ = solver.iterations() < iterations_plain_ ? largest_error : error_;
   }
-  const std::vector<double> before = std::exchange(load_values_, solver_.load_values());
-  forget_other_analysis_step();
+  const std::vector<double> before = std::exchange(load_values_, solver.load_values());
+  forget_other_analysis_step(solver);
   if (before.size() != load_values_.size()) return;  // in the first step, the loads at its start are not known
-  const double dt = solver_.time_increment();
-  const std::vector<MatrixXd> changes = changes_of_step(solver_);
+  const double dt = solver.time_increment();
+  const std::vector<MatrixXd> changes = changes_of_step(solver);
   variables_.resize(changes.size());
   loads_.resize(before.size());
   for (std::size_t v = 0; v < changes.size(); ++v) variables_[v].add({changes[v], dt});
@@ -107,7 +107,7 @@ void Predictor::end_step() {
   for (const PastSteps& variable : variables_) error_ = std::max(error_, variable.prediction_error());
 }
 
-void Predictor::rewind() {
+void Predictor::rewind(Solver& /*solver*/) {
   if (is_dropping_) return;
   part_of_prediction_.clear();
   has_predicted_ = false;
@@ -124,11 +124,11 @@ void Predictor::archive(Archive& archive) {
 
 // ------------------------------------------------------------ the step that begins
 
-bool Predictor::loads_turn() const {
-  const std::vector<double> loads = solver_.load_values();
+bool Predictor::loads_turn(const Solver& solver) const {
+  const std::vector<double> loads = solver.load_values();
   for (std::size_t n = 0; n < loads.size(); ++n) {
     const double actual = loads[n] - load_values_[n];
-    const MatrixXd predicted = loads_[n].predicted(solver_.time_increment());
+    const MatrixXd predicted = loads_[n].predicted(solver.time_increment());
     const double difference = (predicted.size() == 0 ? 0 : predicted.value()) - actual;
     if (std::abs(difference) > largest_turn * std::abs(actual) + rounding_of_loads * std::abs(loads[n])) return true;
   }
@@ -142,27 +142,28 @@ bool Predictor::is_worth_trying() const {
 
 /// A variable without a prediction keeps its value. If displacements kept their values, prescribed ones would deform
 /// the elements next to them. If all changing variables kept their values, nothing would be gained.
-bool Predictor::predicts_the_change() const {
-  const double dt = solver_.time_increment();
-  return variables_[solver_.displacements()].predicts(dt) &&
+bool Predictor::predicts_the_change(const Solver& solver) const {
+  const double dt = solver.time_increment();
+  return variables_[solver.displacements()].predicts(dt) &&
          std::any_of(variables_.begin(), variables_.end(),
                      [&](const PastSteps& variable) { return variable.changed() && variable.predicts(dt); });
 }
 
-std::string Predictor::unavailable() const {
-  return solver_.is_predictable() ? "" : "is not available in models with rigid bodies; set it to 0.";
+std::string Predictor::unavailable(const Solver& solver) const {
+  return solver.is_predictable() ? "" : "is not available in models with rigid bodies; set it to 0.";
 }
 
-bool Predictor::will_predict() const {
-  return plain_steps_ == 0 && solver_.is_predictable() && !variables_.empty() &&
-         analysis_step_ == solver_.analysis_step() && is_worth_trying() && predicts_the_change() && !loads_turn();
+bool Predictor::will_predict(const Solver& solver) const {
+  return plain_steps_ == 0 && solver.is_predictable() && !variables_.empty() &&
+         analysis_step_ == solver.analysis_step() && is_worth_trying() && predicts_the_change(solver) &&
+         !loads_turn(solver);
 }
 
-std::vector<double> Predictor::prediction(const std::vector<double>& prescribed) const {
+std::vector<double> Predictor::prediction(const Solver& solver, const std::vector<double>& prescribed) const {
   std::vector<MatrixXd> changes;
-  for (const PastSteps& variable : variables_) changes.push_back(variable.predicted(solver_.time_increment()));
+  for (const PastSteps& variable : variables_) changes.push_back(variable.predicted(solver.time_increment()));
   std::vector<double> whole = prescribed;
-  for_each_free_value(solver_, [&](const FreeValue& value) {
+  for_each_free_value(solver, [&](const FreeValue& value) {
     const MatrixXd& change = changes[value.variable];
     at(whole, value.equation) = change.size() == 0 ? 0 : change(value.row, value.place.node);
   });
@@ -170,66 +171,67 @@ std::vector<double> Predictor::prediction(const std::vector<double>& prescribed)
 }
 
 /// Infinite if an element is inverted.
-double Predictor::residual_norm(const std::vector<double>& change, std::vector<double> increment) {
-  solver_.vectors().change = change;
+double Predictor::residual_norm(Solver& solver, const std::vector<double>& change, std::vector<double> increment) {
+  solver.vectors().change = change;
   try {
-    solver_.update(increment);
-    return norm(solver_.evaluate_residual());
+    solver.update(increment);
+    return norm(solver.evaluate_residual());
   } catch (const InvertedElement&) {
     return std::numeric_limits<double>::infinity();
   }
 }
 
 /// It leaves the model at the predicted state.
-bool Predictor::is_better_than_plain(const std::vector<double>& predicted, const std::vector<double>& prescribed) {
+bool Predictor::is_better_than_plain(Solver& solver, const std::vector<double>& predicted,
+                                     const std::vector<double>& prescribed) {
   const std::vector<double> none(predicted.size(), 0.0);
-  const double plain = residual_norm(none, prescribed);
-  const double ahead = residual_norm(predicted, none);
+  const double plain = residual_norm(solver, none, prescribed);
+  const double ahead = residual_norm(solver, predicted, none);
   if (std::isfinite(ahead) && ahead <= plain) return true;
-  solver_.log(std::isfinite(ahead)
-                  ? "predictor: the predicted state is rejected, because its residual is larger than that of the "
-                    "plain start."
-                  : "predictor: the predicted state is rejected, because it inverts an element.");
+  solver.log(std::isfinite(ahead)
+                 ? "predictor: the predicted state is rejected, because its residual is larger than that of the "
+                   "plain start."
+                 : "predictor: the predicted state is rejected, because it inverts an element.");
   return false;
 }
 
-void Predictor::drop(const std::vector<double>& prescribed) {
+void Predictor::drop(Solver& solver, const std::vector<double>& prescribed) {
   is_dropping_ = true;
-  solver_.restore_state();
+  solver.restore_state();
   is_dropping_ = false;
-  solver_.vectors().increment = prescribed;
+  solver.vectors().increment = prescribed;
 }
 
-bool Predictor::predict(const std::function<void()>& arrived) {
-  if (!will_predict()) return false;
-  const std::vector<double> prescribed = solver_.vectors().increment;
-  const std::vector<double> whole = prediction(prescribed);
-  solver_.save_state();
-  if (!is_better_than_plain(whole, prescribed)) {
-    drop(prescribed);
+bool Predictor::predict(Solver& solver, const std::function<void()>& arrived) {
+  if (!will_predict(solver)) return false;
+  const std::vector<double> prescribed = solver.vectors().increment;
+  const std::vector<double> whole = prediction(solver, prescribed);
+  solver.save_state();
+  if (!is_better_than_plain(solver, whole, prescribed)) {
+    drop(solver, prescribed);
     return false;
   }
   has_predicted_ = true;
   arrived();
-  const double left = solver_.has_known_totals() ? part_left : 1;
-  solver_.set_totals(scaled(whole, 1 - left));
-  solver_.vectors().increment = scaled(prescribed, left);
+  const double left = solver.has_known_totals() ? part_left : 1;
+  solver.set_totals(scaled(whole, 1 - left));
+  solver.vectors().increment = scaled(prescribed, left);
   part_of_prediction_ = scaled(whole, left);
   return true;
 }
 
-void Predictor::complete_residual() {
+void Predictor::complete_residual(Solver& solver) {
   if (part_of_prediction_.empty()) return;
   // The solver's right-hand side is R(x + P) plus the loads of prescribed increments. R(x + P) at free values already
   // contains these loads.
-  const Vectors vectors = solver_.vectors();
+  const Vectors vectors = solver.vectors();
   std::vector<double> part(part_of_prediction_.size(), 0.0);
-  for_each_free_value(solver_, [&](const FreeValue& value) {
+  for_each_free_value(solver, [&](const FreeValue& value) {
     at(part, value.equation) = at(part_of_prediction_, value.equation);
     at(vectors.residual, value.equation) -= at(vectors.prescribed_load, value.equation);
   });
   part_of_prediction_.clear();
-  const std::vector<double> load = solver_.times_matrix(part);
+  const std::vector<double> load = solver.times_matrix(part);
   for (std::size_t n = 0; n < load.size(); ++n) vectors.residual[n] += load[n];
 }
 

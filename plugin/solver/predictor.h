@@ -32,40 +32,38 @@ inline constexpr int plain_steps_after_failure = 5;
 /// The helper that predicts the state.
 class Predictor : public Helper {
  public:
-  explicit Predictor(Solver& solver) : solver_(solver) {}
-
-  std::string unavailable() const override;
+  std::string unavailable(const Solver& solver) const override;
   /// True if the new step starts at a predicted state.
-  bool will_predict() const;
-  bool predict(const std::function<void()>& arrived) override;
+  bool will_predict(const Solver& solver) const;
+  bool predict(Solver& solver, const std::function<void()>& arrived) override;
   /// Adds theta K P to the residual of the first iteration, which is then R(x + P) + theta K P.
-  void complete_residual() override;
+  void complete_residual(Solver& solver) override;
   bool multiplies_by_matrix() const override { return true; }
   /// Keeps the change of the step, and determines the polynomials that predict it best.
-  void end_step() override;
-  void rewind() override;
+  void end_step(Solver& solver) override;
+  void rewind(Solver& solver) override;
   void archive(Archive& archive) override;
 
  private:
   /// True if a prediction may save iterations.
   bool is_worth_trying() const;
   /// True if the displacements and at least one changing variable can be predicted.
-  bool predicts_the_change() const;
+  bool predicts_the_change(const Solver& solver) const;
   /// True if the loads deviate from their prediction, as at a kink of a load curve.
-  bool loads_turn() const;
+  bool loads_turn(const Solver& solver) const;
   /// The predicted change per equation. `prescribed`: prescribed increments.
-  std::vector<double> prediction(const std::vector<double>& prescribed) const;
+  std::vector<double> prediction(const Solver& solver, const std::vector<double>& prescribed) const;
   /// Norm of the residual after a change and an increment; infinite if an element is inverted.
-  double residual_norm(const std::vector<double>& change, std::vector<double> increment);
+  static double residual_norm(Solver& solver, const std::vector<double>& change, std::vector<double> increment);
   /// True if the residual at the predicted state is not larger than without prediction. It leaves the model at the
   /// predicted state.
-  bool is_better_than_plain(const std::vector<double>& predicted, const std::vector<double>& prescribed);
+  static bool is_better_than_plain(Solver& solver, const std::vector<double>& predicted,
+                                   const std::vector<double>& prescribed);
   /// Rejects the prediction: restores the state.
-  void drop(const std::vector<double>& prescribed);
+  void drop(Solver& solver, const std::vector<double>& prescribed);
   /// Discards past steps of another step of the analysis.
-  void forget_other_analysis_step();
+  void forget_other_analysis_step(const Solver& solver);
 
-  Solver& solver_;
   std::vector<PastSteps> variables_;  ///< past changes of each variable, shape (dofs of the variable, nodes)
   std::vector<PastSteps> loads_;      ///< past changes of each load, shape (1, 1)
   std::vector<double> load_values_;   ///< load values at the end of the last step; empty before the first

@@ -10,17 +10,17 @@ constexpr double default_least = 1e-20;
 
 }  // namespace
 
-bool ResidualFloor::begin_step() {
-  let_go();
-  double* const least = solver_.residual_squares().least;
+bool ResidualFloor::begin_step(Solver& solver) {
+  let_go(solver);
+  double* const least = solver.residual_squares().least;
   if (least == nullptr || *least != default_least) return false;
   given_ = *least;
   *least = std::max(*least, rounding_());
   return *least > *given_;
 }
 
-void ResidualFloor::let_go() {
-  double* const least = solver_.residual_squares().least;
+void ResidualFloor::let_go(Solver& solver) {
+  double* const least = solver.residual_squares().least;
   if (given_ && least != nullptr) *least = *given_;
   given_.reset();
 }

@@ -17,17 +17,16 @@ class ResidualFloor : public Helper {
  public:
   /// `rounding`: returns the squared norm of the forces that the rounding of positions causes at the present loads
   /// [N^2].
-  ResidualFloor(Solver& solver, std::function<double()> rounding) : solver_(solver), rounding_(std::move(rounding)) {}
+  explicit ResidualFloor(std::function<double()> rounding) : rounding_(std::move(rounding)) {}
 
   /// Raises the solver's smallest residual to the rounding until the end of the step. A larger value set by the user is
   /// kept.
-  bool begin_step() override;
-  void end_step() override { let_go(); }
-  void rewind() override { let_go(); }
-  void let_go() override;
+  bool begin_step(Solver& solver) override;
+  void end_step(Solver& solver) override { let_go(solver); }
+  void rewind(Solver& solver) override { let_go(solver); }
+  void let_go(Solver& solver) override;
 
  private:
-  Solver& solver_;
   std::function<double()> rounding_;
   std::optional<double> given_;  ///< the solver's own smallest residual, while it is raised [N^2]
 };

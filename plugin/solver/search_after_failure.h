@@ -18,12 +18,12 @@ namespace newton {
 class SearchAfterFailure : public Helper {
  public:
   /// `is_needed`: true if the attempt that has failed may have failed for want of a line search.
-  SearchAfterFailure(Solver& solver, std::function<bool()> is_needed, DeviceRecord& record)
-      : solver_(solver), is_needed_(std::move(is_needed)), record_(record) {}
+  SearchAfterFailure(std::function<bool()> is_needed, DeviceRecord& record)
+      : is_needed_(std::move(is_needed)), record_(record) {}
 
-  void rewind() override;
-  void end_step() override { let_go(); }
-  void let_go() override;
+  void rewind(Solver& solver) override;
+  void end_step(Solver& solver) override { let_go(solver); }
+  void let_go(Solver& solver) override;
 
  private:
   /// The user's settings of the line search.
@@ -32,7 +32,6 @@ class SearchAfterFailure : public Helper {
     bool halves_inversions;
   };
 
-  Solver& solver_;
   std::function<bool()> is_needed_;
   DeviceRecord& record_;
   std::optional<Given> given_;  ///< the user's settings while the helper has changed them

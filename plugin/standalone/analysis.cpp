@@ -33,16 +33,16 @@ bool has_negative_concentration(const MatrixXd& values) {
 class Steps {
  public:
   Steps(const Model& model, Log& log)
-      : model_(model), log_(log), problem_(model), newton_(problem_, log), output_(problem_), stepper_(model, log) {}
+      : log_(log), problem_(model), newton_(problem_, log), output_(model), stepper_(model, log) {}
 
   bool run() {
     for (const Contact& contact : problem_.contacts()) log_.print("%s\n", contact.effects_line().c_str());
     for (const TiedContact& tie : problem_.ties()) {
       for (const std::string& line : tie.lines()) log_.print("%s\n", line.c_str());
     }
-    output_.write(0, 0);
+    output_.write(problem_, 0, 0);
     newton_.begin();  // sets the ambient values for the first step
-    const double end = model_.control.end;
+    const double end = problem_.model().control.end;
     const double near = end * 1e-7;
     while (end - time_ > near) {
       if (time_ + stepper_.increment() <= time_) {
@@ -51,10 +51,10 @@ class Steps {
       }
       const double to = std::min(time_ + stepper_.increment(), end);
       if (!step(to)) {
-        if (!stepper_.retry()) return false;
+        if (!stepper_.retry(log_)) return false;
         reduce_penalties(to, to - time_);
       } else if (time_ + near < end) {
-        stepper_.advance(time_, newton_.effort().iterations);
+        stepper_.advance(time_, newton_.effort().iterations, log_);
       }
     }
     return true;
@@ -83,7 +83,7 @@ class Steps {
       return false;
     }
     total_ += newton_.effort();
-    if (model_.control.expects_positive && has_negative_concentration(problem_.values())) {
+    if (problem_.model().control.expects_positive && has_negative_concentration(problem_.values())) {
       log_.box("WARNING",
                "Concentrations are negative, as the elements are too large for the time step. FEBio's solver would set "
                "them to zero; mixture-contact leaves them as they are.");
@@ -92,7 +92,7 @@ class Steps {
     warn_of_overlap();
     note_overlap(time);
     time_ = time;
-    output_.write(++done_, time);
+    output_.write(problem_, ++done_, time);
     stepper_.succeeded();
     return true;
   }
@@ -128,7 +128,6 @@ class Steps {
     }
   }
 
-  const Model& model_;
   Log& log_;
   Problem problem_;
   Newton newton_;

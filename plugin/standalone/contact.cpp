@@ -1,6 +1,7 @@
 #include "contact.h"
 
 #include "error.h"
+#include "host/friction.h"
 #include "host/membrane.h"
 
 namespace standalone {
@@ -26,8 +27,8 @@ mixture_contact::Effects Contact::decide_effects(const FacetMaterials& materials
   std::vector<FieldAtContact> fields = fields_at_contact(materials, definition_.surfaces, surfaces_.model().solutes);
   leave_out(left_out(definition_.parameters), fields);
   const ContactParameters& parameters = definition_.parameters;
-  const FrictionRequest friction = friction_request(parameters, has_fluid(materials));
-  const Exchange exchange = decide_exchange(parameters.effects, fields, motion(), friction);
+  const Exchange exchange = decide_exchange(parameters.effects, fields, motion(),
+                                            requested_friction(parameters, has_fluid(materials)));
   if (!exchange.complaints.empty())
     throw InputError(surfaces_.model().file + ": contact \"" + definition_.name + "\": " + exchange.complaints.front());
   const std::vector<std::string> wrong = membrane_complaints(parameters.membrane, exchange.effects);

@@ -44,7 +44,7 @@ class ContactAtState : public mixture_contact::SteppedContact {
 }  // namespace
 
 Newton::Newton(Problem& problem, Log& log)
-    : problem_(problem), log_(log), system_(problem.values().size()), steps_(*this, no_helpers_) {
+    : problem_(problem), log_(log), system_(problem.values().size()), steps_(*this) {
   for (Contact& contact : problem.contacts())
     contacts_.push_back(std::make_unique<ContactAtState>(problem, contact, log));
 }

@@ -80,7 +80,6 @@ class Newton : private mixture_contact::SteppedModel {
   Norms first_;
   VectorXd increment_;  ///< total increment of the step
   std::vector<std::unique_ptr<mixture_contact::SteppedContact>> contacts_;
-  newton::Helpers no_helpers_;
   mixture_contact::ContactSteps steps_;
 };
 

@@ -104,26 +104,26 @@ void add_grid(XMLElement& grid, const Model& model, const MatrixXd& values) {
 
 }  // namespace
 
-Output::Output(const Problem& problem) : problem_(problem) {
-  for (const DataFile& data : problem.model().data) {
-    const auto path = std::filesystem::path(problem.model().file).parent_path() / data.file;
+Output::Output(const Model& model) {
+  for (const DataFile& data : model.data) {
+    const auto path = std::filesystem::path(model.file).parent_path() / data.file;
     streams_.emplace_back(path);
     if (!streams_.back()) throw InputError("the data file " + path.string() + " cannot be written");
   }
 }
 
-void Output::write(int step, double time) {
-  for (std::size_t file = 0; file < streams_.size(); ++file) write_data(file, step, time);
-  if (problem_.model().control.plot) write_vtk(step, time);
+void Output::write(const Problem& problem, int step, double time) {
+  for (std::size_t file = 0; file < streams_.size(); ++file) write_data(problem, file, step, time);
+  if (problem.model().control.plot) write_vtk(problem, step, time);
 }
 
-void Output::write_data(std::size_t file, int step, double time) {
-  const DataFile& data = problem_.model().data[file];
+void Output::write_data(const Problem& problem, std::size_t file, int step, double time) {
+  const DataFile& data = problem.model().data[file];
   std::ofstream& stream = streams_[file];
   stream.precision(9);
   stream << "*Step  = " << step << "\n*Time  = " << time << "\n*Data  = " << data.names << '\n';
   stream.precision(12);
-  const MatrixXd table = data.elements ? element_table(problem_) : node_table(problem_);
+  const MatrixXd table = data.elements ? element_table(problem) : node_table(problem);
   for (Index item = 0; item < table.cols(); ++item) {
     stream << item + 1;
     for (const int row : data.rows) stream << data.separator << table(row, item);
@@ -132,14 +132,14 @@ void Output::write_data(std::size_t file, int step, double time) {
   stream.flush();
 }
 
-void Output::write_vtk(int step, double time) {
-  const std::filesystem::path stem = std::filesystem::path(problem_.model().file).replace_extension();
+void Output::write_vtk(const Problem& problem, int step, double time) {
+  const std::filesystem::path stem = std::filesystem::path(problem.model().file).replace_extension();
   const std::filesystem::path folder = stem.string() + "-vtk";
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const std::string file = "state" + std::to_string(step) + ".vtu";
   write_vtk_file(folder / file, "UnstructuredGrid",
-                 [&](XMLElement& grid) { add_grid(grid, problem_.model(), problem_.values()); });
+                 [&](XMLElement& grid) { add_grid(grid, problem.model(), problem.values()); });
   states_.emplace_back(time, (folder.filename() / file).string());
   write_vtk_file(stem.string() + ".pvd", "Collection", [&](XMLElement& collection) {
     for (const auto& [at, name] : states_) {

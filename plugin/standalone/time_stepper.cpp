@@ -6,19 +6,15 @@
 namespace standalone {
 
 TimeStepper::TimeStepper(const Model& model, Log& log)
-    : model_(model),
-      log_(log),
-      rules_(model.control.stepper ? &*model.control.stepper : nullptr),
-      increment_(model.control.step_size),
-      wanted_(increment_) {
-  advance(0, 0);
+    : rules_(model.control.stepper), end_(model.control.end), increment_(model.control.step_size), wanted_(increment_) {
+  if (rules_ && rules_->must_points >= 0) must_points_ = at(model.curves, rules_->must_points);
+  advance(0, 0, log);
 }
 
-double TimeStepper::grown(double time, int iterations) const {
+double TimeStepper::grown(const StepControl& rules, double time, int iterations) const {
   constexpr double largest_growth = 0.2;
   constexpr double largest_factor = 5;
-  const StepControl& rules = *rules_;
-  const double largest = rules.must_points < 0 ? rules.largest : must_points().at(time);
+  const double largest = rules.must_points < 0 ? rules.largest : must_points_.at(time);
   if (rules.force) return largest;
   double dt = std::max(wanted_, rules.least);
   const double scale = iterations > 0 ? std::sqrt(static_cast<double>(rules.optimal_iterations) / iterations) : 1.0;
@@ -32,37 +28,36 @@ double TimeStepper::grown(double time, int iterations) const {
   return largest > 0 ? std::min(dt, largest) : dt;
 }
 
-void TimeStepper::advance(double time, int iterations) {
-  if (rules_ == nullptr) return;
+void TimeStepper::advance(double time, int iterations, Log& log) {
+  if (!rules_) return;
   const double last = increment_;
-  wanted_ = grown(time, iterations);
+  wanted_ = grown(*rules_, time, iterations);
   if (wanted_ != last) {
-    log_.print("\nAUTO STEPPER: %s time step, dt = %g\n\n", wanted_ > last ? "increasing" : "decreasing", wanted_);
+    log.print("\nAUTO STEPPER: %s time step, dt = %g\n\n", wanted_ > last ? "increasing" : "decreasing", wanted_);
   }
-  increment_ = std::min(up_to_must_point(time, wanted_), model_.control.end - time);
+  increment_ = std::min(up_to_must_point(time, wanted_, log), end_ - time);
 }
 
-double TimeStepper::up_to_must_point(double time, double dt) const {
-  if (rules_->must_points < 0) return dt;
-  const double near = model_.control.end * 1e-12;
-  for (const auto& point : must_points().points) {
+double TimeStepper::up_to_must_point(double time, double dt, Log& log) const {
+  const double near = end_ * 1e-12;
+  for (const auto& point : must_points_.points) {
     if (point[0] < time + near) continue;
     if (point[0] >= time + dt + near) return dt;
-    log_.print("MUST POINT CONTROLLER: adjusting time step. dt = %g\n\n", point[0] - time);
+    log.print("MUST POINT CONTROLLER: adjusting time step. dt = %g\n\n", point[0] - time);
     return point[0] - time;
   }
   return dt;
 }
 
-bool TimeStepper::retry() {
-  if (rules_ == nullptr) return false;
+bool TimeStepper::retry(Log& log) {
+  if (!rules_) return false;
   if (retries_ >= rules_->max_retries) {
-    log_.print("Max. nr of retries reached.\n\n");
+    log.print("Max. nr of retries reached.\n\n");
     return false;
   }
-  log_.print("Retrying time step. Retry attempt %d of max %d\n\n", retries_ + 1, rules_->max_retries);
+  log.print("Retrying time step. Retry attempt %d of max %d\n\n", retries_ + 1, rules_->max_retries);
   increment_ *= rules_->cutback;
-  log_.print("\nAUTO STEPPER: retry step, dt = %g\n\n", increment_);
+  log.print("\nAUTO STEPPER: retry step, dt = %g\n\n", increment_);
   wanted_ = increment_;
   ++retries_;
   return true;

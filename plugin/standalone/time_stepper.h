@@ -4,6 +4,8 @@
 #include "log.h"
 #include "model.h"
 
+#include <optional>
+
 namespace standalone {
 
 /// FEBio's rules for time steps: the increment depends on the number of iterations of the last step, is limited by the
@@ -15,20 +17,19 @@ class TimeStepper {
   double increment() const { return increment_; }  ///< present increment [s]
   /// Chooses the increment of the step that starts at `time`. `iterations`: number of iterations of the last step; 0 at
   /// the start.
-  void advance(double time, int iterations);
+  void advance(double time, int iterations, Log& log);
   /// Chooses a smaller increment after a failed step. Returns false if no retries are left.
-  bool retry();
+  bool retry(Log& log);
   /// Notes that the step has succeeded.
   void succeeded() { retries_ = 0; }
 
  private:
-  const LoadCurve& must_points() const { return at(model_.curves, rules_->must_points); }
-  double grown(double time, int iterations) const;
-  double up_to_must_point(double time, double dt) const;
+  double grown(const StepControl& rules, double time, int iterations) const;
+  double up_to_must_point(double time, double dt, Log& log) const;
 
-  const Model& model_;
-  Log& log_;
-  const StepControl* rules_;  ///< null for constant increments
+  std::optional<StepControl> rules_;  ///< empty for constant increments
+  LoadCurve must_points_;             ///< empty if the rules have none
+  double end_;                        ///< end of the analysis [s]
   double increment_;
   double wanted_;  ///< increment before it was shortened for a must point [s]
   int retries_ = 0;

@@ -45,7 +45,7 @@ class Case {
   Case(std::string name, int facets, const Effects& effects, Integration integration = Integration::gauss)
       : name_(std::move(name)), scene_(grids(facets), effects) {
     scene_.settings.integration = integration;
-    if (effects.may_rub()) scene_.settings.friction.coefficient = 0.3;
+    if (effects.friction_kind != FrictionKind::none) scene_.settings.friction.coefficient = 0.3;
     std::mt19937 random(1);
     const double size = 1 / std::sqrt(facets);
     scene_.disturb(0.05 * size, random);

@@ -117,3 +117,30 @@ def test_the_adapter_names_a_helper_where_it_registers_it_and_nowhere_else() -> 
         for helper, switch in snake_case.items()
     }
     assert {helper: len(lines) for helper, lines in found.items()} == dict.fromkeys(helpers, 1), found
+
+
+FRICTION = re.compile(
+    r"\bby_friction<|\bhas_friction\(|[!=]= (?:mixture_contact::)?FrictionKind::none"
+    r"|\bfriction\w*\.empty\(\)|\bfriction(?:\.\w+)?\.(?:size|cols|count)\(\) [!=<>]"
+)
+"""A branch that asks whether a contact has friction."""
+ROOMS_OF_FRICTION = re.compile(
+    r"contact/conditions/|contact/mortar/(?:slip|trial_variation)|contact/interface/friction_rows|host/friction\."
+)
+"""The files that contain the forms of friction, and the choice between them."""
+ASKS = {
+    "contact/base/effects.h": 1,  # friction integrates point by point
+    "contact/enforcement/enforcement_method.cpp": 1,  # chooses the form
+    "contact/interface/output_sums.cpp": 1,  # chooses the form
+}
+
+
+def test_callers_do_not_ask_whether_a_contact_has_friction() -> None:
+    plugin = ROOT / "plugin"
+    found = {
+        str(path.relative_to(plugin)): len(FRICTION.findall(code))
+        for path in sorted(plugin.rglob("*"))
+        if path.suffix in (".h", ".cpp") and not ROOMS_OF_FRICTION.search(str(path.relative_to(plugin)))
+        if FRICTION.search(code := re.sub(r"//[^\n]*", "", path.read_text(encoding="utf-8")))
+    }
+    assert found == ASKS

@@ -12,6 +12,8 @@ MOST_METHODS, MOST_MEMBERS, MOST_BOOLEANS = 30, 14, 3
 """Of a class; functions that are deleted or defaulted do not count."""
 MOST_CASTS = 6.0
 """`static_cast` per 1000 lines."""
+MOST_REFERENCES = 49
+"""Private data members of all classes that are references, whose lifetime a reader has to know."""
 MEDIAN_LINES, MOST_LINES = 6, 33
 """Of functions with their heads: the median, and the 99th percentile."""
 
@@ -107,6 +109,14 @@ def shape(name: str, body: str) -> Shape:
     return Shape(name, methods, members, booleans)
 
 
+def references(text: str) -> int:
+    """The number of private data members that are references, of the classes in a file."""
+    code = plain(text)
+    bodies = (code[m.end() : closing(code, m.end() - 1)] for m in CLASS.finditer(code))
+    declared = (without_templates(declaration) for body in bodies for declaration in declarations(body))
+    return sum(re.search(r"&\s*\w+_$", declaration) is not None for declaration in declared)
+
+
 def shapes(text: str) -> list[Shape]:
     """Of the classes in a file, nested ones too."""
     code = plain(text)
@@ -126,6 +136,11 @@ def test_no_class_does_everything() -> None:
         if each.methods > MOST_METHODS or each.members > MOST_MEMBERS or each.booleans > MOST_BOOLEANS
     ]
     assert large == []
+
+
+def test_few_members_are_references() -> None:
+    assert references("class A { int& f(B& b_); std::map<int, B*>& b_; C& c_; };") == 2
+    assert sum(references(text) for text in sources()) <= MOST_REFERENCES
 
 
 def test_functions_are_small() -> None:

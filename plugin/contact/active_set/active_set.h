@@ -86,10 +86,7 @@ struct ActiveSetOptions {
 /// gap for any status of the other nodes (a P matrix).
 class ActiveSet {
  public:
-  /// Keeps a reference to the laws.
-  explicit ActiveSet(const NodalLaws& laws, ActiveSetOptions options = {}) : laws_(laws), options_(options) {
-    start_counting();
-  }
+  explicit ActiveSet(const NodalLaws& laws, ActiveSetOptions options = {}) : options_(options) { start_counting(laws); }
 
   const ActiveSetOptions& options() const { return options_; }
 
@@ -98,29 +95,25 @@ class ActiveSet {
   bool is_restricted() const { return restriction_.has_value(); }
 
   /// The contact status from the true gaps, before any iteration.
-  NodeFlags initial(const NodalGaps& now) const;
-  /// True if the status of nodes may be predicted by solutions with the matrix. It is false with exchanged fields:
-  /// their exchange may open a node that would close, or close one that would open, and both may be equilibria. It is
-  /// false with self-contact, because a fold may face other facets at the end of an iteration, and with tension,
-  /// because nodes that bear tension do not open.
-  bool may_predict() const;
+  NodeFlags initial(const NodalLaws& laws, const NodalGaps& now) const;
   /// The contact status from the predicted loads of an iteration and the true gaps. `doubt`: error of the predicted
   /// tractions; smaller tractions do not change a status [MPa].
-  NodeFlags updated(const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
+  NodeFlags updated(const NodalLaws& laws, const NodalLoads& predicted, const NodalGaps& now, double doubt = 0) const;
   /// The nodes in contact at the start of an iteration that open in it. `tractions`: at the end of the iteration if the
   /// nodes stayed in contact [MPa]; NaN for open nodes and unknown tractions, which do not open. `opened`: nodes
   /// assumed open for these tractions. Nodes whose status keeps changing do not open: they are at the edge of contact,
   /// and the next iteration decides.
-  NodeFlags opening(const VectorXd& tractions, const NodeFlags& opened, double surface_size) const;
+  NodeFlags opening(const NodalLaws& laws, const VectorXd& tractions, const NodeFlags& opened,
+                    double surface_size) const;
   /// The contact status at another state within a step, from the loads of the last state: nodes that face nothing open,
   /// and nodes that overlap close.
-  ContactStatus moved(const NodalLoads& last, const NodalGaps& now) const;
+  ContactStatus moved(const NodalLaws& laws, const NodalLoads& last, const NodalGaps& now) const;
 
   /// Resets all counts of changes, at the start of iterations.
-  void start_counting();
+  void start_counting(const NodalLaws& laws);
   /// The contact status of the next iteration: `updated`, except for nodes that cycle. `counts`: true if the status
   /// `before` belongs to an iteration, so that changes are counted.
-  ContactStatus next(const NodeFlags& before, NodeFlags updated, bool counts);
+  ContactStatus next(const NodalLaws& laws, const NodeFlags& before, NodeFlags updated, bool counts);
 
   /// True if a solution has nodes at the edge of contact that have to be tried once more, because other nodes may have
   /// caused their changes. It then resets all counts, such that the next iteration couples their fluxes again.
@@ -128,17 +121,13 @@ class ActiveSet {
   /// A node remains at the edge if it has changed most_changes_alone times since the last iteration in which any node
   /// changed for the first time, or if it was an edge node in the last accepted step. The result is true at most once
   /// after the start of iterations.
-  bool reconsiders_edge(const NodalLoads& solution);
+  bool reconsiders_edge(const NodalLaws& laws, const NodalLoads& solution);
 
-  /// Slip and positive friction bounds at the start of iterations.
-  FrictionStatus initial_friction(const NodalLoads& now) const;
   /// The friction status according to the predicted loads of an iteration, which have to include friction.
-  FrictionStatus updated_friction(const NodalLoads& predicted) const;
+  FrictionStatus updated_friction(const NodalLaws& laws, const NodalLoads& predicted) const;
   /// The friction status in the next iteration with the loads `now`: that of updated_friction(), except for nodes that
   /// cycle. Nodes that close have the status of their own loads. Changes are counted.
-  FrictionStatus next_friction(const NodalLoads& predicted, const NodalLoads& now);
-  /// The friction status at another state within a step. Nodes in contact in both keep the status of the loads `last`.
-  FrictionStatus moved_friction(const NodalLoads& last, const NodalLoads& now) const;
+  FrictionStatus next_friction(const NodalLaws& laws, const NodalLoads& predicted, const NodalLoads& now);
 
   /// Memory of the counts [bytes].
   std::size_t memory() const {
@@ -147,39 +136,23 @@ class ActiveSet {
 
  private:
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
-  /// The largest traction that does not change a status [MPa].
-  double negligible(double largest_traction, double surface_size) const;
-  /// Widths of the band around the friction bound in which trials do not change a status [MPa].
-  struct FrictionBands {
-    /// Half-width of the band for nodes that are not at the edge of sliding [MPa].
-    double elsewhere;
-    /// Half-width of the band for nodes at the edge of sliding [MPa].
-    double at_edge;
-  };
   /// FrictionStatus::slips of updated_friction().
-  NodeFlags updated_slips(const NodalLoads& predicted) const;
+  NodeFlags updated_slips(const NodalLaws& laws, const NodalLoads& predicted) const;
   /// FrictionStatus::rubs of updated_friction().
-  NodeFlags updated_rubs(const NodalLoads& predicted) const;
-  /// The friction status of nodes from their own loads alone.
-  FrictionStatus own_friction(const NodalLoads& now) const;
-  FrictionBands friction_bands(const NodalLoads& predicted) const;
-  double friction_band(const FrictionBands& bands, Index node) const;
+  NodeFlags updated_rubs(const NodalLaws& laws, const NodalLoads& predicted) const;
   /// True if the slip of a node reverses without sticking first: with the stiffness of the adjoining elements, reversed
   /// friction could not hold the node. It is true once in a step; a node that should stick does so in the next
   /// iteration.
-  bool turns_round(const NodalLoads& predicted, Index node) const;
+  bool turns_round(const NodalLaws& laws, const NodalLoads& predicted, Index node) const;
   /// True if a node opens and closes by itself (see ActiveSetOptions::most_changes_alone).
   bool cycles_alone(Index node) const;
-  /// True if a node was in contact and not flux-coupled in the last accepted step.
-  bool was_at_edge(Index node) const;
   /// Counts the changes of status in an iteration.
-  void count(const NodeFlags& before, const NodeFlags& status);
+  void count(const NodalLaws& laws, const NodeFlags& before, const NodeFlags& status);
   /// True if all nodes in contact between rigid bodies would open, for the first time in a step.
-  bool waits(const NodeFlags& before, const NodeFlags& updated);
+  bool waits(const NodalLaws& laws, const NodeFlags& before, const NodeFlags& updated);
   /// True if an open node comes into contact.
-  bool closes(const NodalGaps& now, Index node, double negligible) const;
+  bool closes(const NodalLaws& laws, const NodalGaps& now, Index node, double negligible) const;
 
-  const NodalLaws& laws_;
   ActiveSetOptions options_;
   std::optional<NodeFlags> restriction_;  ///< nodes that may close; empty: all
   bool has_waited_ = false;               ///< true if waits() has been true since the start of iterations
@@ -190,5 +163,16 @@ class ActiveSet {
   /// Number of changes between stick and slip since the start of iterations; empty without friction.
   IndexedVector<int> slip_changes_;
 };
+
+/// True if the status of nodes may be predicted by solutions with the matrix. It is false with exchanged fields: their
+/// exchange may open a node that would close, or close one that would open, and both may be equilibria. It is false
+/// with self-contact, because a fold may face other facets at the end of an iteration, and with tension, because nodes
+/// that bear tension do not open.
+bool may_predict(const NodalLaws& laws);
+
+/// Slip and positive friction bounds at the start of iterations.
+FrictionStatus initial_friction(const NodalLaws& laws, const NodalLoads& now);
+/// The friction status at another state within a step. Nodes in contact in both keep the status of the loads `last`.
+FrictionStatus moved_friction(const NodalLaws& laws, const NodalLoads& last, const NodalLoads& now);
 
 }  // namespace mixture_contact

@@ -38,14 +38,12 @@ struct Effects {
 
   /// Number of exchanged scalar fields.
   int scalar_fields() const { return (solvent ? 1 : 0) + number_of(solutes); }
-  /// True if the contact has friction in steps that exchange tractions.
-  bool may_rub() const { return friction_kind != FrictionKind::none; }
   /// The friction of the present step: none while no tractions are exchanged.
   FrictionKind acting_friction() const { return traction ? friction_kind : FrictionKind::none; }
   /// The fields on which the friction bound depends in the present step: the fluid pressure, or none.
   FieldMask bearing_fields() const { return traction && reads_fluid() ? only(pressure_field()) : FieldMask{0}; }
   /// True if fully covered pairs of flat facets are integrated by their moments. Friction integrates point by point.
-  bool integrates_moments() const { return traction && !may_rub(); }
+  bool integrates_moments() const { return traction && friction_kind == FrictionKind::none; }
   /// True if the friction law reads the fluid pressure.
   bool reads_fluid() const { return friction_kind == FrictionKind::on_solid_part; }
   /// Index of the fluid pressure among the nodal fields: the exchanged field, or an additional one that only friction

@@ -15,11 +15,6 @@ Result by_friction(FrictionKind kind, const Frictionless& frictionless, const Wi
   return with_friction();
 }
 
-/// The number of tangential conditions at a node: 1 with friction, 0 without or while no tractions are exchanged.
-inline Index tangential_conditions(const Effects& effects) {
-  return by_friction<Index>(effects.acting_friction(), [] { return 0; }, [] { return 1; });
-}
-
 /// The friction bound T_max and its derivatives.
 struct FrictionBound {
   double value;

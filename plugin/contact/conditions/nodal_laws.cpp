@@ -1,7 +1,5 @@
 #include "conditions/nodal_laws.h"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <limits>
 
@@ -14,61 +12,6 @@ double share_of_film(const SurfaceMesh& primary, const Settings& settings) {
   return settings.two_pass || primary.may_meet_itself() ? 0.5 : 1.0;
 }
 
-/// Sets the trials of friction, and bounds and status before their first decision.
-void find_friction_limits(const NodalLaws& laws, NodalLoads& loads) {
-  loads.friction.trial.setZero(3, laws.nodes());
-  loads.friction.bound.setZero(laws.nodes());
-  for (Index node = 0; node < laws.nodes(); ++node) {
-    if (!loads.in_contact[node]) continue;
-    loads.friction.trial.col(node) = laws.friction_trial(loads.friction, node).value;
-    loads.friction.bound[node] = laws.friction_bound(loads, node).value;
-  }
-  if (loads.slips.empty()) loads.slips = laws.beyond_bound(loads);
-}
-
-/// Sets bound and friction traction of the nodes in contact by their status.
-void load_friction(const NodalLaws& laws, NodalLoads& loads) {
-  loads.friction.traction.setZero(3, laws.nodes());
-  for (Index node = 0; node < laws.nodes(); ++node) {
-    if (!loads.in_contact[node]) continue;
-    loads.friction.bound[node] = laws.friction_bound(loads, node).value;
-    loads.friction.traction.col(node) = friction_law(loads, node).value;
-  }
-}
-
-/// Sets the reference of friction for an iteration (see NodalLaws::begin_friction()).
-void refer_friction(const NodalLaws& laws, NodalLoads& loads, const NodalLoads* predicted) {
-  NodalFriction& friction = loads.friction;
-  friction.reference = friction.trial;
-  friction.reference_bound.setZero(laws.nodes());
-  friction.geometric.setZero(3, laws.nodes());
-  for (Index node = 0; node < laws.nodes(); ++node) {
-    if (!loads.in_contact[node]) continue;
-    const bool known = predicted != nullptr && predicted->in_contact[node];
-    const NodalLoads& from = known ? *predicted : loads;
-    if (known) friction.reference.col(node) = predicted->friction.trial.col(node);
-    const bool closes = predicted != nullptr && !known;
-    friction.reference_bound[node] = loads.rubs[node] && !closes ? std::max(0.0, laws.rubbing(from, node)) : 0.0;
-    const FrictionTrial trial = laws.friction_trial(loads.slips[node] ? friction : from.friction, node);
-    friction.geometric.col(node) = trial.past;
-    const double size = trial.value.norm();
-    if (!loads.slips[node] && size > friction.reference_bound[node])
-      friction.geometric.col(node) *= friction.reference_bound[node] / size;
-  }
-}
-
-/// The friction multipliers whose trial equals the present friction without further slip.
-Matrix3Xd friction_multipliers(const NodalFriction& friction) {
-  Matrix3Xd lambda = Matrix3Xd::Zero(3, friction.slip.cols());
-  for (Index node = 0; node < lambda.cols(); ++node) {
-    if (friction.traction.col(node).isZero(0)) continue;
-    const Vector3d n = friction.normal(node);
-    const Eigen::Matrix3d to_present = friction.convection[node] - n * (n.transpose() * friction.convection[node]);
-    lambda.col(node) = to_present.completeOrthogonalDecomposition().solve(friction.traction.col(node));
-  }
-  return lambda;
-}
-
 /// Copies the column of a node, unless one of the contacts has no such values.
 void copy_node(Matrix3Xd& now, const Matrix3Xd& before, const std::pair<Index, Index>& node) {
   if (now.cols() > 0 && before.cols() > 0) now.col(node.first) = before.col(node.second);
@@ -76,13 +19,6 @@ void copy_node(Matrix3Xd& now, const Matrix3Xd& before, const std::pair<Index, I
 
 void copy_node(NodeFlags& now, const NodeFlags& before, const std::pair<Index, Index>& node) {
   if (!now.empty() && !before.empty()) now[node.first] = before[node.second];
-}
-
-/// Accepts the present friction and slip status.
-void take_friction(Multipliers& multipliers, const NodalLoads& loads) {
-  if (loads.friction.empty()) return;
-  multipliers.friction = friction_multipliers(loads.friction);
-  multipliers.slips = loads.slips;
 }
 
 }  // namespace
@@ -114,7 +50,7 @@ void carry_over(Multipliers& now, const Multipliers& before, const CommonNodes& 
 
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
   const Index fields = effects.scalar_fields();
-  const Index with_friction = effects.may_rub() ? nodes : 0;
+  const Index with_friction = tangential_condition(effects.friction_kind).count() * nodes;
   const Index with_fluxes = fields > 0 ? nodes : 0;
   return multipliers.traction.size() == nodes && multipliers.accepted_traction.size() == nodes &&
          multipliers.flux.rows() == fields && multipliers.flux.cols() == nodes &&
@@ -125,9 +61,7 @@ bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects) {
 void NodalLaws::forget_steps() {
   multipliers.accepted_traction.setZero(nodes());
   if (effects_.scalar_fields() > 0) multipliers.flux_coupled = NodeFlags(nodes(), false);
-  if (!effects_.may_rub()) return;
-  multipliers.friction.setZero(3, nodes());
-  multipliers.slips = NodeFlags(nodes(), false);
+  tangential_condition(effects_.friction_kind).forget(nodes(), multipliers);
 }
 
 void NodalLaws::update_penalties() {
@@ -158,70 +92,7 @@ void NodalLaws::load(NodalLoads& loads, bool with_penalty) const {
                                              : multipliers.flux(field, node);
     }
   }
-  if (loads.friction.empty()) return;
-  if (loads.friction.trial.size() == 0) find_friction_limits(*this, loads);  // else the iteration has predicted them
-  load_friction(*this, loads);
-}
-
-FrictionTrial NodalLaws::friction_trial(const NodalFriction& friction, Index node) const {
-  return carried_trial(friction, node,
-                       multipliers.friction.col(node) - friction_penalty(node) * friction.slip.col(node));
-}
-
-FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vector3d& past) {
-  const Vector3d n = friction.normal(node);
-  const Vector3d present = friction.convection[node] * past;
-  return {n, past, present, present - n * n.dot(present)};
-}
-
-ElasticSlip elastic_slip(const NodalLoads& loads, Index node) {
-  const auto in_plane = [&] { return carried_trial(loads.friction, node, loads.friction.slip.col(node)).value; };
-  return {loads.slips[node] ? 0.0 : in_plane().norm(), loads.friction.traction.col(node).norm()};
-}
-
-void NodalLaws::begin_friction(NodalLoads& loads, const DecideFriction& decide, const NodalLoads* predicted) const {
-  if (loads.friction.empty()) return;
-  FrictionStatus decided = decide(loads);
-  loads.slips = std::move(decided.slips);
-  loads.rubs = std::move(decided.rubs);
-  refer_friction(*this, loads, predicted);
-  load_friction(*this, loads);
-}
-
-FrictionBound NodalLaws::friction_bound(const NodalLoads& loads, Index node) const {
-  const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
-  const bool decided = !loads.rubs.empty();
-  if (decided && !loads.rubs[node]) return {0, 0, 0};
-  const auto law = decided ? linear_friction_bound : mixture_contact::friction_bound;
-  return law(settings_.friction, loads.traction[node], pressure);
-}
-
-double NodalLaws::rubbing(const NodalLoads& loads, Index node) const {
-  const double pressure = loads.friction.pressure.size() > 0 ? loads.friction.pressure[node] : 0.0;
-  return linear_friction_bound(settings_.friction, loads.traction[node], pressure).value;
-}
-
-FrictionTraction friction_law(const NodalLoads& loads, Index node) {
-  const Vector3d trial = loads.friction.trial.col(node);
-  if (!loads.slips[node]) return stick(trial);
-  return slip(trial, loads.friction.bound[node], loads.friction.reference_of(node),
-              loads.friction.reference_bound_of(node));
-}
-
-NodeFlags NodalLaws::beyond_bound(const NodalLoads& loads) const {
-  NodeFlags slips(nodes(), false);
-  const double rounding = traction_rounding(loads.size);
-  for (Index node = 0; node < nodes(); ++node) {
-    const double excess = loads.friction.trial.col(node).norm() - loads.friction.bound[node];
-    slips[node] = loads.in_contact[node] && excess > rounding;
-  }
-  return slips;
-}
-
-Matrix3Xd convected_friction(const Multipliers& multipliers, const NodalFriction& friction) {
-  Matrix3Xd present = multipliers.friction;
-  for (Index node = 0; node < present.cols(); ++node) present.col(node) = friction.convection[node] * present.col(node);
-  return present;
+  tangential().load(*this, loads);
 }
 
 void NodalLaws::augment(const NodalLoads& loads) {
@@ -230,14 +101,14 @@ void NodalLaws::augment(const NodalLoads& loads) {
     if (soft_[node]) multipliers.traction[node] = 0;
   }
   multipliers.flux = loads.flux;
-  take_friction(multipliers, loads);
+  tangential().accept(loads, multipliers);
 }
 
 void NodalLaws::accept(const NodalLoads& loads) {
   if (effects_.scalar_fields() > 0) multipliers.flux_coupled = loads.flux_coupled;
   if (!effects_.traction) return;
   multipliers.accepted_traction = loads.traction;
-  take_friction(multipliers, loads);
+  tangential().accept(loads, multipliers);
 }
 
 VectorXd stiffness_over_penalty(const NodalLaws& laws) {

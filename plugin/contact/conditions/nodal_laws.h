@@ -1,13 +1,12 @@
 /// The contact laws at the nodes of a surface: penalties, multipliers, and loads from gaps and jumps.
 #pragma once
 
-#include "conditions/friction.h"
 #include "conditions/membrane.h"
 #include "conditions/nodal_loads.h"
 #include "conditions/normal.h"
 #include "conditions/penalty.h"
+#include "conditions/tangential.h"
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -37,34 +36,6 @@ void carry_over(Multipliers& now, const Multipliers& before, const CommonNodes& 
 
 /// True if multipliers have the nodes and fields of a contact.
 bool fits(const Multipliers& multipliers, Index nodes, const Effects& effects);
-
-/// A node's trial friction with the vectors from which it is formed.
-struct FrictionTrial {
-  Vector3d normal;   ///< mean normal n_a
-  Vector3d past;     ///< vector lambda_T - eps_T s_a, in the configuration at the start of the step
-  Vector3d carried;  ///< vector F_a (lambda_T - eps_T s_a), in the present configuration
-  Vector3d value;    ///< trial friction tau_a = (1 - n_a n_a) F_a (lambda_T - eps_T s_a)
-};
-
-/// The trial friction of a vector `past` in the tangent plane at the start of the step, mapped to the present tangent
-/// plane.
-FrictionTrial carried_trial(const NodalFriction& friction, Index node, const Vector3d& past);
-
-/// The friction traction of a node in contact, by its status stick or slip.
-FrictionTraction friction_law(const NodalLoads& loads, Index node);
-
-/// The error of a node in contact in the condition of stick, with its load.
-struct ElasticSlip {
-  double slip = 0;      ///< slip of a sticking node in its tangent plane, where friction opposes it [mm]
-  double traction = 0;  ///< size of the friction traction [MPa]
-};
-ElasticSlip elastic_slip(const NodalLoads& loads, Index node);
-
-/// The friction multipliers, convected with the surface since the start of the step.
-Matrix3Xd convected_friction(const Multipliers& multipliers, const NodalFriction& friction);
-
-/// Decides which nodes slide and which have a positive friction bound, from the loads at a state.
-using DecideFriction = std::function<FrictionStatus(const NodalLoads& now)>;
 
 /// Rounding error of average gaps and jumps, relative to the size of the surface or the field.
 inline constexpr double rounding_fraction = 1e-13;
@@ -126,6 +97,9 @@ class NodalLaws {
   bool may_meet_itself() const { return primary_.may_meet_itself(); }
   /// The condition between traction and gap.
   const NormalCondition& normal() const { return normal_condition(settings_.gap); }
+  /// The condition between friction and slip in the present step.
+  const TangentialCondition& tangential() const { return tangential_condition(effects_.acting_friction()); }
+  const FrictionRule& friction() const { return settings_.friction; }
   /// The trial load lambda_n + eps_n g of a node [MPa], in contact or not, and its derivative with respect to the gap.
   LawValue traction_trial(Index node, double gap) const {
     return augmented(multipliers.traction[node], traction_penalty(node), gap);
@@ -138,19 +112,6 @@ class NodalLaws {
   /// multipliers.
   void load(NodalLoads& loads, bool with_penalty) const;
 
-  /// The trial friction of a node.
-  FrictionTrial friction_trial(const NodalFriction& friction, Index node) const;
-  /// The friction bound of a node.
-  FrictionBound friction_bound(const NodalLoads& loads, Index node) const;
-  /// The friction bound without <>. A node has a positive friction bound if it is positive.
-  double rubbing(const NodalLoads& loads, Index node) const;
-  /// Begins an iteration of friction at the state of `loads`: sets status, reference and traction. The reference
-  /// consists of the trials and bounds that the previous iteration predicted, if given, else of its own. For a node
-  /// that closed after an iteration, the direction of friction therefore stays fixed: with a large penalty, the bound
-  /// from its overlap is much too large.
-  void begin_friction(NodalLoads& loads, const DecideFriction& decide, const NodalLoads* predicted) const;
-  /// The nodes in contact whose trial exceeds the bound; they slide before any decision.
-  NodeFlags beyond_bound(const NodalLoads& loads) const;
   /// Uzawa's update: the loads become the multipliers, except at nodes that augmentations leave out. Multipliers of
   /// tractions that are not exchanged stay the same.
   void augment(const NodalLoads& loads);

@@ -55,7 +55,6 @@ struct NodalFriction {
   VectorXd bound;       ///< friction bound T_max [MPa]
   Matrix3Xd traction;   ///< friction traction t_T [MPa]; 0 out of contact
 
-  bool empty() const { return slip.size() == 0; }
   /// The trial at the start of the iteration; outside iterations the present trial.
   Vector3d reference_of(Index node) const { return (reference.size() > 0 ? reference : trial).col(node); }
   /// The bound at the start of the iteration; outside iterations the present bound.

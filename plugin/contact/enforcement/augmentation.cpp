@@ -19,7 +19,7 @@ VectorXd growing_penalties(const NodalLaws& laws) {
 
 GapReport measure_gaps(const NodalLaws& laws, const NodalLoads& loads, const FacingFields& fields) {
   GapSums traction;
-  IndexedVector<GapSums> slip(tangential_conditions(laws.effects()));
+  IndexedVector<GapSums> slip(laws.tangential().count());
   IndexedVector<GapSums> flux(laws.effects().scalar_fields());
   const Penalties& base = laws.penalties();
   const VectorXd rounding = laws.field_rounding(fields, loads.size);

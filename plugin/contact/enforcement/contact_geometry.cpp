@@ -20,31 +20,30 @@ void multiply_out(const MortarSpace& space, NodeTangent& tangent) {
 }
 
 /// Calls `use` with each load at a node. `patch`: the nodes and fields of its averages.
-void use_loads(const EnforcementMethod& method, Index node, const Patch& patch, const UseLoad& use) {
+void use_loads(const PassNodes& at, Index node, const Patch& patch, const UseLoad& use) {
   const int own = static_cast<int>(node);
   if (patch.displacements) use({own, std::nullopt, patch.of_displacements()});
-  for (const int field : patch.fields) use({own, field, method.flux_columns(patch, field)});
+  for (const int field : patch.fields) use({own, field, flux_columns(at, patch, field)});
 }
 
 /// Calls `use` with the couplings of fluxes that depend on other fields than their own.
-void use_other_drivers(const EnforcementMethod& method, const Patch& patch, const UsePatch& use) {
+void use_other_drivers(const PassNodes& at, const Patch& patch, const UsePatch& use) {
   for (const int field : patch.fields) {
-    const Patch columns = method.flux_columns(patch, field);
+    const Patch columns = flux_columns(at, patch, field);
     if (columns.fields.count() > 1) use(columns);
   }
 }
 
 }  // namespace
 
-void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
-                   const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const VectorXd& weights,
-                   double dt, const TangentParts& add) {
-  const bool multiplies = !add.load || !method.has_load_blocks();
+void node_tangents(const PassParts& pass, const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads,
+                   const VectorXd& weights, double dt, const TangentParts& add) {
+  const bool multiplies = !add.load || !pass.has_load_blocks();
   const auto of_node = [&](Index node) {
     NodeTangent tangent;
     if (nodes[node].empty()) return tangent;
-    tangent = method.node_tangent(node, nodes[node], loads, weights, dt);
-    if (multiplies) multiply_out(space, tangent);
+    tangent = pass.method->node_tangent(pass, node, nodes[node], loads, weights, dt);
+    if (multiplies) multiply_out(pass.space, tangent);
     return tangent;
   };
   in_batches(nodes.count(), of_node, [&](Index /*node*/, const NodeTangent& tangent) {
@@ -53,14 +52,13 @@ void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
   });
 }
 
-void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
-              const Couplings& use) {
-  if (takes_loads(method, use)) {
-    use_loads(method, node, patch, use.load);
+void use_node(const PassParts& pass, Index node, const Patch& patch, const Couplings& use) {
+  if (takes_loads(pass, use)) {
+    use_loads(pass, node, patch, use.load);
   } else {
-    method.for_each_coupling(patch, [&](const Patch& part) {
-      use_effects(space, part, use.patch);
-      use_other_drivers(method, part, use.patch);
+    pass.method->for_each_coupling(patch, [&](const Patch& part) {
+      use_effects(pass.space, part, use.patch);
+      use_other_drivers(pass, part, use.patch);
     });
   }
 }

@@ -52,17 +52,13 @@ class ContactGeometry : public Polymorphic {
 };
 
 /// Calls `add` with the tangents of all nodes in order. `weights`: EnforcementMethod::equation_weights().
-void node_tangents(const EnforcementMethod& method, const MortarSpace& space,
-                   const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads, const VectorXd& weights,
-                   double dt, const TangentParts& add);
+void node_tangents(const PassParts& pass, const IndexedVector<NodeLinearisation>& nodes, const NodalLoads& loads,
+                   const VectorXd& weights, double dt, const TangentParts& add);
 
 /// True if the couplings of nodal loads are passed on as loads.
-inline bool takes_loads(const EnforcementMethod& method, const Couplings& use) {
-  return use.load && method.has_load_blocks();
-}
+inline bool takes_loads(const PassParts& pass, const Couplings& use) { return use.load && pass.has_load_blocks(); }
 /// Calls `use` with the couplings of the loads at a node. `patch`: the nodes and fields of its averages.
-void use_node(const EnforcementMethod& method, const MortarSpace& space, Index node, const Patch& patch,
-              const Couplings& use);
+void use_node(const PassParts& pass, Index node, const Patch& patch, const Couplings& use);
 
 /// Calls `use` with the couplings of each effect of a patch.
 void use_effects(const MortarSpace& space, const Patch& patch, const UsePatch& use);

@@ -7,26 +7,24 @@
 
 namespace mixture_contact {
 
-std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
-                                                      const NodalLaws& laws) {
-  if (enforcement == Enforcement::lagrange_multipliers) return std::make_unique<UnknownMultipliers>(space, laws);
+std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, FrictionKind friction) {
+  if (enforcement == Enforcement::lagrange_multipliers) return std::make_unique<UnknownMultipliers>();
   return by_friction<std::unique_ptr<EnforcementMethod>>(
-      laws.effects().friction_kind, [&] { return std::make_unique<PenaltyMethod>(space, laws); },
-      [&] { return std::make_unique<FrictionPenalty>(space, laws); });
+      friction, [] { return std::make_unique<PenaltyMethod>(); }, [] { return std::make_unique<FrictionPenalty>(); });
 }
 
-Patch EnforcementMethod::flux_columns(const Patch& patch, int field) const {
-  Patch columns = space_.columns_of(patch, field);
-  if (space_.symmetric()) return columns;
-  const FieldMask drivers = laws_.scalar(field).drivers();
+Patch flux_columns(const PassNodes& at, const Patch& patch, int field) {
+  Patch columns = at.space.columns_of(patch, field);
+  if (at.space.symmetric()) return columns;
+  const FieldMask drivers = at.laws.scalar(field).drivers();
   for (const int other : patch.fields) {
     if (other != field && contains(drivers, other)) columns.fields.push_back(other);
   }
   return columns;
 }
 
-VectorXd EnforcementMethod::flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear,
-                                     const Patch& columns) const {
+VectorXd flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear, const Patch& columns,
+                  bool symmetric) {
   const LocalLayout layout = columns.layout();
   VectorXd row = VectorXd::Zero(layout.size());
   for (Index k = 0; k < columns.fields.count(); ++k) {
@@ -37,7 +35,7 @@ VectorXd EnforcementMethod::flux_row(const FluxLaw& law, Index node, const NodeL
       if (layout.has_displacements())
         row.segment<3>(layout.displacement(n, 0)) += law.d_jump[field] * jump.projection_variation.segment<3>(3 * n);
     }
-    const bool has_own = law.d_own[field] != 0 && !space_.symmetric();
+    const bool has_own = law.d_own[field] != 0 && !symmetric;
     if (has_own) row[layout.scalar(position_in(columns.primary, static_cast<int>(node)), k)] += law.d_own[field];
   }
   return row;

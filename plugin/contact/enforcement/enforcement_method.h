@@ -2,8 +2,7 @@
 #pragma once
 
 #include "base/polymorphic.h"
-#include "conditions/nodal_laws.h"
-#include "mortar/linearisation.h"
+#include "enforcement/pass_nodes.h"
 
 #include <functional>
 #include <memory>
@@ -31,51 +30,46 @@ struct NodeTangent {
   std::vector<LoadBlock> loads;
 };
 
-/// A method that enforces the conditions at the nodes of a pass. Evaluations are const.
+/// A method that enforces the conditions at the nodes of a pass, which its functions receive as `at`. A method has no
+/// state.
 class EnforcementMethod : public Polymorphic {
  public:
-  /// Keeps references to the averages and the laws.
-  EnforcementMethod(const MortarSpace& space, const NodalLaws& laws) : space_(space), laws_(laws) {}
-
   /// Sets the loads of the nodes in contact from the averages around them.
-  virtual void load(NodalLoads& loads) const = 0;
+  virtual void load(const NodalLaws& laws, NodalLoads& loads) const = 0;
   /// The loads at a state within an iteration, from the averages that are linearised at `point`.
-  virtual NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const = 0;
+  virtual NodalLoads predicted_loads(const PassNodes& at, const LinearisationPoint& point,
+                                     const FacingFields& fields) const = 0;
   /// True if predicted loads may differ from those of the true averages.
   virtual bool predicts() const = 0;
   /// True if predicted loads are linear in gaps and jumps, which excludes friction and unknown multipliers.
   virtual bool is_linear() const = 0;
   /// Weights of the equations that the method adds at nodes, which give them the size of the residual of their field.
-  virtual VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const = 0;
+  virtual VectorXd equation_weights(const PassNodes& /*at*/, const NodalLoads& /*loads*/,
+                                    const Matrix3Xd& /*x1*/) const {
+    return {};
+  }
   /// Calls `use` with the couplings of the loads at the nodes of a patch that come from the variation of averages.
   virtual void for_each_coupling(const Patch& patch, const UsePatch& use) const = 0;
-  /// True if tangents consist of load blocks only.
+  /// True if tangents consist of load blocks only, unless they are symmetrised.
   virtual bool has_load_blocks() const = 0;
   /// Calls `add` with the residual of the method's own equations.
-  virtual void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const = 0;
+  virtual void equations(const PassNodes& /*at*/, const NodalLoads& /*loads*/, const VectorXd& /*weights*/,
+                         double /*dt*/, const AddVector& /*add*/) const {}
   /// The tangent of the loads at a node, and of the node's own equations. In the residual, the loads of node a are t_a
   /// traction_work + dt phi_a A_a weights; the variation of these works belongs to the geometric part of the tangent.
-  virtual NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                   const VectorXd& weights, double dt) const = 0;
-  /// The unknowns on which a field's flux at a node depends: nodes of `patch`, and fields in the order of the columns,
-  /// its own first. A symmetric tangent has its own field only.
-  Patch flux_columns(const Patch& patch, int field) const;
-
- protected:
-  /// Variation of a flux with respect to the displacements (if any) and fields in `columns`, in their order.
-  VectorXd flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear, const Patch& columns) const;
-  const MortarSpace& space() const { return space_; }
-  const NodalLaws& laws() const { return laws_; }
-  const Effects& effects() const { return space_.effects(); }
-
- private:
-  const MortarSpace& space_;
-  const NodalLaws& laws_;
+  virtual NodeTangent node_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear,
+                                   const NodalLoads& loads, const VectorXd& weights, double dt) const = 0;
 };
 
-/// The method that the settings select.
-std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, const MortarSpace& space,
-                                                      const NodalLaws& laws);
+/// The method that the settings select. `friction`: the friction of the contact.
+std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, FrictionKind friction);
+
+/// The unknowns on which a field's flux at a node depends: nodes of `patch`, and fields in the order of the columns,
+/// its own first. A symmetric tangent has its own field only.
+Patch flux_columns(const PassNodes& at, const Patch& patch, int field);
+/// Variation of a flux with respect to the displacements (if any) and fields in `columns`, in their order.
+VectorXd flux_row(const FluxLaw& law, Index node, const NodeLinearisation& linear, const Patch& columns,
+                  bool symmetric);
 
 /// A block of tractions by displacements. `values` are symmetrised if the tangent is symmetric.
 TangentBlock traction_block(const MortarSpace& space, const Patch& patch, MatrixXd values);

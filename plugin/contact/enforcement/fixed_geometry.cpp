@@ -29,7 +29,7 @@ FixedGeometry::FixedGeometry(PassParts& parts) : parts_(parts), nodes_(parts.spa
   fixed_.gap.setZero(space.nodes());
   fixed_.flux_area.setZero(fields, space.nodes());
   fixed_.jump.setZero(fields, space.nodes());
-  parts_.method->load(fixed_);
+  parts_.method->load(parts_.laws, fixed_);
 }
 
 void FixedGeometry::update(const FacingPositions& x) {
@@ -39,7 +39,7 @@ void FixedGeometry::update(const FacingPositions& x) {
   const SurfaceFields primary{x.primary, MatrixXd::Zero(x.primary.cols(), fields), {}};
   const SurfaceFields secondary{x.secondary, MatrixXd::Zero(x.secondary.cols(), fields), {}};
   NodalGaps gaps = parts_.space.gaps();
-  const NodeFlags status = parts_.active_set.initial(gaps);
+  const NodeFlags status = parts_.active_set.initial(parts_.laws, gaps);
   fixed_ = parts_.space.averages(std::move(gaps), {primary, secondary}, {status, status, {}});
   fixed_.traction.setZero(parts_.space.nodes());
   fixed_.flux.setZero(fields, parts_.space.nodes());
@@ -60,7 +60,7 @@ NodalLoads FixedGeometry::loads(const FacingFields& fields) const {
       loads.jump(linear.patch.fields[k], node) = jump_of(linear, k, fields);
     }
   });
-  parts_.method->load(loads);
+  parts_.method->load(parts_.laws, loads);
   return loads;
 }
 
@@ -70,18 +70,18 @@ void FixedGeometry::residual(const FacingFields& fields, double dt, const AddVec
   in_order(nodes_.count(), of_node, [&](Index node, const VectorXd& sum) {
     if (sum.size() > 0) add(nodes_[node].patch, sum);
   });
-  parts_.method->equations(now, parts_.method->equation_weights(now, fields.primary.position), dt, add);
+  parts_.method->equations(parts_, now, parts_.method->equation_weights(parts_, now, fields.primary.position), dt, add);
 }
 
 void FixedGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
   const NodalLoads now = loads(fields);
-  const VectorXd weights = parts_.method->equation_weights(now, fields.primary.position);
-  node_tangents(*parts_.method, parts_.space, nodes_, now, weights, dt, add);
+  const VectorXd weights = parts_.method->equation_weights(parts_, now, fields.primary.position);
+  node_tangents(parts_, nodes_, now, weights, dt, add);
 }
 
 void FixedGeometry::for_each_coupling(const Couplings& use) const {
   for (Index node = 0; node < nodes_.count(); ++node) {
-    if (!nodes_[node].empty()) use_node(*parts_.method, parts_.space, node, nodes_[node].patch, use);
+    if (!nodes_[node].empty()) use_node(parts_, node, nodes_[node].patch, use);
   }
 }
 

@@ -66,13 +66,12 @@ class PairsAroundNodes {
  public:
   static constexpr int rows = rows_per_node<Tangent>;
 
-  /// Keeps references to `parts`.
-  PairsAroundNodes(const PairParts<Tangent>& parts, PerSide<Index> nodes)
-      : parts_(parts),
+  PairsAroundNodes(PairParts<Tangent> parts, PerSide<Index> nodes)
+      : parts_(std::move(parts)),
         primary_nodes_(nodes[Side::primary]),
         nodes_of_(nodes_of_pairs()),
         around_(nodes[Side::primary] + nodes[Side::secondary], [&](const auto& add) {
-          for (Index pair = 0; pair < parts.count(); ++pair) {
+          for (Index pair = 0; pair < parts_.count(); ++pair) {
             for (const Index number : nodes_of_[pair]) add(number, pair);
           }
         }) {}
@@ -149,7 +148,7 @@ class PairsAroundNodes {
     return nodes;
   }
 
-  const PairParts<Tangent>& parts_;
+  PairParts<Tangent> parts_;
   Index primary_nodes_;
   Lists<Index> nodes_of_;  ///< per pair, its nodes; empty for a pair without a part
   Lists<Index> around_;    ///< per node, the pairs around it
@@ -197,8 +196,8 @@ TangentBlock strong_part(const PairsAroundNodes<Tangent>& pairs, const Row<R>& r
 }
 
 template <class Tangent>
-NodeRows rows_of(const PairParts<Tangent>& parts, PerSide<Index> nodes, double weak, NodeRows held) {
-  const PairsAroundNodes<Tangent> around(parts, nodes);
+NodeRows rows_of(PairParts<Tangent> parts, PerSide<Index> nodes, double weak, NodeRows held) {
+  const PairsAroundNodes<Tangent> around(std::move(parts), nodes);
   NodeRows rows(around.nodes());
   for (TangentBlock& row : held) rows[around.number(row.rows)] = std::move(row);
   const RowMemory<PairsAroundNodes<Tangent>::rows> memory{Places(around.nodes()), {}, {}};

@@ -37,7 +37,7 @@ void HeldLinearisation::ended() {
 
 void HeldLinearisation::has_matrix(bool has_loads) {
   has_matrix_ = point_ != nullptr;
-  has_loads_ = has_loads && parts_.method->has_load_blocks() && parts_.laws.effects().nodal_fields() == 0;
+  has_loads_ = has_loads && parts_.has_load_blocks() && parts_.laws.effects().nodal_fields() == 0;
   added_.fill(parts_.laws.nodes(), false);
 }
 
@@ -49,7 +49,7 @@ bool HeldLinearisation::is_correctable() const {
 
 NodalLoads HeldLinearisation::true_loads(const FacingFields& fields, ContactStatus status) const {
   NodalLoads now = parts_.space.averages(parts_.space.gaps(), fields, std::move(status));
-  parts_.method->load(now);
+  parts_.method->load(parts_.laws, now);
   return now;
 }
 
@@ -88,13 +88,13 @@ bool HeldLinearisation::is_of_rigid_bodies(const Patch& patch) const {
 }
 
 bool HeldLinearisation::serves(const FacingFields& fields) const {
-  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
+  const NodalLoads predicted = parts_.method->predicted_loads(parts_, *point_, fields);
   const NodalLoads now = true_loads(fields, point_->loads.status());
   const double error = error_of(predicted, now);
   const ActiveSetOptions& options = parts_.active_set.options();
   const bool comes_nearer = last_error_ == 0 || error <= options.most_left * last_error_ ||
                             !differ(parts_.space, parts_.laws, predicted, now, options.solution_load, fields);
-  const NodeFlags status = parts_.active_set.updated(predicted, now, doubt(predicted, now));
+  const NodeFlags status = parts_.active_set.updated(parts_.laws, predicted, now, doubt(predicted, now));
   return comes_nearer && (status == predicted.in_contact || may_take(status, options.most_changed_again));
 }
 
@@ -103,23 +103,23 @@ bool HeldLinearisation::correct(const FacingFields& fields) {
     keep();
     return false;
   }
-  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
+  const NodalLoads predicted = parts_.method->predicted_loads(parts_, *point_, fields);
   const NodalLoads now = true_loads(fields, point_->loads.status());
   last_error_ = error_of(predicted, now);
   begins_ = false;
   const bool adds = has_loads_ && change_status(predicted, now, fields);
-  point_->loads.gap += now.gap - (adds ? parts_.method->predicted_loads(*point_, fields) : predicted).gap;
+  point_->loads.gap += now.gap - (adds ? parts_.method->predicted_loads(parts_, *point_, fields) : predicted).gap;
   point_->loads.jump += now.jump - predicted.jump;
-  parts_.method->load(point_->loads);
-  const ByWorks corrected{change(predicted, parts_.method->predicted_loads(*point_, fields))};
+  parts_.method->load(parts_.laws, point_->loads);
+  const ByWorks corrected{change(predicted, parts_.method->predicted_loads(parts_, *point_, fields))};
   change_ = corrected;
   return !corrected.loads.traction.isZero(0) || !corrected.loads.flux.isZero(0) || !released().empty() ||
          !added().empty();
 }
 
 bool HeldLinearisation::change_status(const NodalLoads& predicted, const NodalLoads& now, const FacingFields& fields) {
-  const NodeFlags status = parts_.active_set.updated(predicted, now, doubt(predicted, now));
-  const ContactStatus next = parts_.active_set.next(predicted.in_contact, status, true);
+  const NodeFlags status = parts_.active_set.updated(parts_.laws, predicted, now, doubt(predicted, now));
+  const ContactStatus next = parts_.active_set.next(parts_.laws, predicted.in_contact, status, true);
   if (next.in_contact != predicted.in_contact) last_error_ = 0;
   point_->loads.in_contact = next.in_contact;
   point_->loads.flux_coupled = next.flux_coupled;
@@ -140,7 +140,7 @@ void HeldLinearisation::linearise_more(const NodeFlags& nodes, const FacingField
   }
 }
 
-bool HeldLinearisation::may_decide() const { return is_correctable() && has_loads_ && parts_.active_set.may_predict(); }
+bool HeldLinearisation::may_decide() const { return is_correctable() && has_loads_ && may_predict(parts_.laws); }
 
 NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, const FacingFields& fields) {
   if (!may_decide() || begins_) return NodeFlags(parts_.laws.nodes(), false);
@@ -149,14 +149,14 @@ NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, 
     apart.push_back(point_->nodes[node].empty() && parts_.space.gaps().faces(node));
   NodalGaps ahead = parts_.space.gaps();
   ahead.gap += gap_changes(parts_.space, apart, displacements);
-  NodeFlags found = parts_.active_set.initial(ahead);
+  NodeFlags found = parts_.active_set.initial(parts_.laws, ahead);
   for (Index node = 0; node < parts_.laws.nodes(); ++node) found[node] = found[node] && apart[node];
   const auto around = parts_.space.facing().around(found);
   for (Index node = 0; node < parts_.laws.nodes(); ++node)
     found[node] = found[node] && !is_of_rigid_bodies(parts_.space.node_patch(node, around[node]));
   if (!any(found)) return found;
   linearise_more(found, fields);
-  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
+  const NodalLoads predicted = parts_.method->predicted_loads(parts_, *point_, fields);
   for (Index node = 0; node < parts_.laws.nodes(); ++node) {
     if (found[node]) point_->loads.gap[node] += parts_.space.gaps().gap[node] - predicted.gap[node];
   }
@@ -166,7 +166,7 @@ NodeFlags HeldLinearisation::find_nearing(const FacingPositions& displacements, 
 VectorXd HeldLinearisation::undecided(const FacingFields& fields) const {
   VectorXd tractions = unknown_values(parts_.laws.nodes());
   if (!may_decide()) return tractions;
-  const NodalLoads now = parts_.method->predicted_loads(*point_, fields);
+  const NodalLoads now = parts_.method->predicted_loads(parts_, *point_, fields);
   for (Index node = 0; node < tractions.size(); ++node) {
     if (now.in_contact[node]) tractions[node] = now.traction[node];
   }
@@ -175,7 +175,7 @@ VectorXd HeldLinearisation::undecided(const FacingFields& fields) const {
 }
 
 NodeFlags HeldLinearisation::opening(const VectorXd& tractions, const NodeFlags& opened) const {
-  const NodeFlags found = parts_.active_set.opening(tractions, opened, point_->loads.size);
+  const NodeFlags found = parts_.active_set.opening(parts_.laws, tractions, opened, point_->loads.size);
   return may_take(status_without(found), parts_.active_set.options().most_changed) ? found : opened;
 }
 
@@ -189,11 +189,11 @@ NodeFlags HeldLinearisation::status_without(const NodeFlags& open) const {
 void HeldLinearisation::open(const NodeFlags& nodes, const FacingFields& fields) {
   NodeFlags status = status_without(nodes);
   if (status == point_->loads.in_contact) return keep();
-  const NodalLoads before = parts_.method->predicted_loads(*point_, fields);
+  const NodalLoads before = parts_.method->predicted_loads(parts_, *point_, fields);
   point_->loads.in_contact = std::move(status);
   point_->loads.flux_coupled = point_->loads.in_contact;
-  parts_.method->load(point_->loads);
-  change_ = ByWorks{change(before, parts_.method->predicted_loads(*point_, fields))};
+  parts_.method->load(parts_.laws, point_->loads);
+  change_ = ByWorks{change(before, parts_.method->predicted_loads(parts_, *point_, fields))};
 }
 
 IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added) const {
@@ -208,7 +208,7 @@ IndexedVector<int> HeldLinearisation::linearised(bool in_contact, bool is_added)
 
 void HeldLinearisation::add_loads(const IndexedVector<int>& nodes, double dt, const AddLoadBlock& add) const {
   for (const int node : nodes) {
-    const NodeTangent tangent = parts_.method->node_tangent(node, point_->nodes[node], point_->loads, {}, dt);
+    const NodeTangent tangent = parts_.method->node_tangent(parts_, node, point_->nodes[node], point_->loads, {}, dt);
     for (const LoadBlock& load : tangent.loads) add(load);
   }
 }

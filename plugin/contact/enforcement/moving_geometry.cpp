@@ -75,11 +75,11 @@ LinearisationPoint MovingGeometry::evaluated_at(const FacingFields& fields, Noda
                                                 const DecideFriction& decide, const NodalLoads* predicted) const {
   LinearisationPoint point;
   point.loads = std::move(averages);
-  parts_.method->load(point.loads);
-  parts_.laws.begin_friction(point.loads, decide, predicted);
+  parts_.method->load(parts_.laws, point.loads);
+  parts_.laws.tangential().begin(parts_.laws, decide, predicted, point.loads);
   point.primary = fields.primary;
   point.secondary = fields.secondary;
-  point.equation_weights = parts_.method->equation_weights(point.loads, fields.primary.position);
+  point.equation_weights = parts_.method->equation_weights(parts_, point.loads, fields.primary.position);
   if (!point.primary.rigid.body.empty() || !point.secondary.rigid.body.empty())
     point.beyond_part = stiffness_over_penalty(parts_.laws);
   return point;
@@ -110,7 +110,7 @@ const GeometricPart* MovingGeometry::geometric_at(const FacingPositions& x) cons
 }
 
 NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps& gaps) const {
-  return point_ ? parts_.active_set.updated(now, gaps) : parts_.active_set.initial(gaps);
+  return point_ ? parts_.active_set.updated(parts_.laws, now, gaps) : parts_.active_set.initial(parts_.laws, gaps);
 }
 
 NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
@@ -141,12 +141,13 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
   const bool predicted = point_.has_value();
   const bool finds_more = find_points(positions(fields));
   const NodalLoads before = loads(fields);
-  if (!predicted) parts_.active_set.start_counting();
+  if (!predicted) parts_.active_set.start_counting(parts_.laws);
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    return predicted ? parts_.active_set.next_friction(before, now) : parts_.active_set.initial_friction(now);
+    return predicted ? parts_.active_set.next_friction(parts_.laws, before, now) : initial_friction(parts_.laws, now);
   };
   NodalGaps gaps = parts_.space.gaps();
-  ContactStatus status = parts_.active_set.next(before.in_contact, beginning_status(before, gaps), predicted);
+  ContactStatus status = parts_.active_set.next(parts_.laws, before.in_contact, beginning_status(before, gaps),
+                                                predicted);
   LinearisationPoint next = evaluated_at(fields, parts_.space.averages(std::move(gaps), fields, std::move(status)),
                                          decide, predicted ? &before : nullptr);
   set_geometric_loads(next, before);
@@ -178,8 +179,8 @@ void MovingGeometry::set_geometric_loads(LinearisationPoint& next, const NodalLo
 
 void MovingGeometry::hold_loads(const FacingFields& fields) {
   find_points(positions(fields));
-  parts_.active_set.start_counting();
-  const auto decide = [&](const NodalLoads& now) { return parts_.active_set.initial_friction(now); };
+  parts_.active_set.start_counting(parts_.laws);
+  const auto decide = [&](const NodalLoads& now) { return initial_friction(parts_.laws, now); };
   geometric_.reset();
   last_ = {};
   point_ = evaluated_at(fields, initial_averages(fields), decide, nullptr);
@@ -188,7 +189,7 @@ void MovingGeometry::hold_loads(const FacingFields& fields) {
 
 void MovingGeometry::start_inactive(const FacingFields& fields) {
   NodeFlags open(parts_.space.nodes(), false);
-  parts_.active_set.start_counting();
+  parts_.active_set.start_counting(parts_.laws);
   LinearisationPoint point = evaluated_at(
       fields, parts_.space.averages(parts_.space.gaps(), fields, {open, open, {}}),
       [&](const NodalLoads&) { return FrictionStatus{open, open}; }, nullptr);
@@ -199,10 +200,10 @@ void MovingGeometry::start_inactive(const FacingFields& fields) {
 void MovingGeometry::linearise_at(const FacingFields& fields) {
   if (!point_) return;
   const auto decide = [&](const NodalLoads& now) -> FrictionStatus {
-    return parts_.active_set.moved_friction(point_->loads, now);
+    return moved_friction(parts_.laws, point_->loads, now);
   };
   NodalGaps gaps = parts_.space.gaps();
-  ContactStatus status = parts_.active_set.moved(point_->loads, gaps);
+  ContactStatus status = parts_.active_set.moved(parts_.laws, point_->loads, gaps);
   LinearisationPoint next = evaluated_at(fields, parts_.space.averages(std::move(gaps), fields, std::move(status)),
                                          decide, &point_->loads);
   next.set_geometric(point_->loads);
@@ -227,47 +228,47 @@ void MovingGeometry::forget_past() {
 }
 
 bool MovingGeometry::reconsiders_edge(const FacingFields& fields) {
-  return parts_.laws.effects().scalar_fields() > 0 && parts_.active_set.reconsiders_edge(loads(fields));
+  return parts_.laws.effects().scalar_fields() > 0 && parts_.active_set.reconsiders_edge(parts_.laws, loads(fields));
 }
 
 bool MovingGeometry::is_solution(const FacingFields& fields) const {
   if (!point_) return true;
-  const NodalLoads predicted = parts_.method->predicted_loads(*point_, fields);
+  const NodalLoads predicted = parts_.method->predicted_loads(parts_, *point_, fields);
   NodalGaps gaps = parts_.space.gaps();
   if (updated_status(predicted, gaps) != point_->loads.in_contact) return false;
   if (!parts_.method->predicts()) return true;  // the loads are unknowns and need no test; gaps() tests the gaps
-  if (parts_.active_set.updated_friction(predicted).differs_from(predicted)) return false;
+  if (parts_.active_set.updated_friction(parts_.laws, predicted).differs_from(predicted)) return false;
   NodalLoads now = parts_.space.averages(std::move(gaps), fields, point_->loads.status());
-  parts_.method->load(now);
+  parts_.method->load(parts_.laws, now);
   return !differ(parts_.space, parts_.laws, predicted, now, parts_.active_set.options().solution_load, fields);
 }
 
 NodalLoads MovingGeometry::loads(const FacingFields& fields) const {
-  if (point_) return parts_.method->predicted_loads(*point_, fields);
+  if (point_) return parts_.method->predicted_loads(parts_, *point_, fields);
   NodalLoads loads = initial_averages(fields);
-  parts_.method->load(loads);
+  parts_.method->load(parts_.laws, loads);
   loads.traction = admissible(parts_.laws.normal(), loads.traction);
   return loads;
 }
 
 NodalLoads MovingGeometry::initial_averages(const FacingFields& fields) const {
   NodalGaps gaps = parts_.space.gaps();
-  const NodeFlags status = parts_.active_set.initial(gaps);
+  const NodeFlags status = parts_.active_set.initial(parts_.laws, gaps);
   return parts_.space.averages(std::move(gaps), fields, {status, status, {}});
 }
 
 NodeFlags MovingGeometry::flux_coupled() const {
-  return point_ ? point_->loads.flux_coupled : parts_.active_set.initial(parts_.space.gaps());
+  return point_ ? point_->loads.flux_coupled : parts_.active_set.initial(parts_.laws, parts_.space.gaps());
 }
 
 VectorXd MovingGeometry::equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const {
-  return point_ ? point_->equation_weights : parts_.method->equation_weights(loads, x1);
+  return point_ ? point_->equation_weights : parts_.method->equation_weights(parts_, loads, x1);
 }
 
 void MovingGeometry::residual(const FacingFields& fields, double dt, const AddVector& add) const {
   const NodalLoads now = loads(fields);
   nodal_residual(parts_.space, now, fields, dt, add);
-  parts_.method->equations(now, equation_weights(now, fields.primary.position), dt, add);
+  parts_.method->equations(parts_, now, equation_weights(now, fields.primary.position), dt, add);
 }
 
 void MovingGeometry::tangent(const FacingFields& fields, double dt, const TangentParts& add) const {
@@ -279,7 +280,7 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
     vary_trials(parts_.laws, now, present);
   }
   const VectorXd weights = equation_weights(now, fields.primary.position);
-  node_tangents(*parts_.method, parts_.space, is_linearised ? point_->nodes : present, now, weights, dt, add);
+  node_tangents(parts_, is_linearised ? point_->nodes : present, now, weights, dt, add);
   if (const GeometricPart* held = geometric_at(positions(fields))) {
     if (add.rows) {
       for (const NodeRows& flux : held->fluxes) add.rows(flux, dt);
@@ -294,10 +295,9 @@ void MovingGeometry::tangent(const FacingFields& fields, double dt, const Tangen
 }
 
 void MovingGeometry::for_each_coupling(const Couplings& use) const {
-  const auto use_around = [&](Index node, const Patch& patch) {
-    use_node(*parts_.method, parts_.space, node, patch, use);
-  };
-  const NodeFlags in_contact = point_ ? point_->loads.in_contact : parts_.active_set.initial(parts_.space.gaps());
+  const auto use_around = [&](Index node, const Patch& patch) { use_node(parts_, node, patch, use); };
+  const NodeFlags in_contact = point_ ? point_->loads.in_contact
+                                      : parts_.active_set.initial(parts_.laws, parts_.space.gaps());
   if (geometric_ && point_) {  // the pairs are those with which the nodes were linearised
     for (Index node = 0; node < point_->nodes.count(); ++node) {
       if (!point_->nodes[node].empty()) use_around(node, point_->nodes[node].patch);
@@ -314,7 +314,7 @@ void MovingGeometry::for_each_coupling(const Couplings& use) const {
 }
 
 void MovingGeometry::use_pairs(const NodeFlags& in_contact, const Couplings& use) const {
-  const bool all_pairs = parts_.space.has_unknown_multipliers() || takes_loads(*parts_.method, use);
+  const bool all_pairs = parts_.space.has_unknown_multipliers() || takes_loads(parts_, use);
   for (const FacetPair& pair : parts_.space.facing().pairs()) {
     if (!parts_.space.facing().has_node_among(pair, in_contact)) continue;
     if (all_pairs || !parts_.space.is_averaged_over(pair, in_contact))

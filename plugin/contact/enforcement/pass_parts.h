@@ -6,18 +6,18 @@
 
 namespace mixture_contact {
 
-/// The averages, laws, active set and enforcement method of a pass. They belong together: laws and method refer to the
-/// same nodes, and a geometry evaluates all of them.
-struct PassParts {
+/// The nodes, active set and enforcement method of a pass. A geometry evaluates all of them.
+struct PassParts : PassNodes {
   /// Keeps references to both meshes, the effects and the settings.
   PassParts(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects, const Settings& settings)
-      : space(primary, secondary, effects, settings),
-        laws(primary, secondary, effects, settings),
+      : PassNodes{{primary, secondary, effects, settings}, {primary, secondary, effects, settings}},
         active_set(laws),
-        method(enforcement_method(settings.enforcement, space, laws)) {}
+        method(enforcement_method(settings.enforcement, effects.friction_kind)) {}
 
-  MortarSpace space;
-  NodalLaws laws;
+  /// True if tangents of nodes consist of load blocks only. The symmetric part of such a tangent is no product of two
+  /// vectors.
+  bool has_load_blocks() const { return method->has_load_blocks() && !space.symmetric(); }
+
   ActiveSet active_set;
   std::unique_ptr<EnforcementMethod> method;
 };

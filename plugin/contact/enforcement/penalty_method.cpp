@@ -34,36 +34,15 @@ MatrixXd work_of_both(const VectorXd& traction_work, const VectorXd& d_traction,
   return work;
 }
 
-}  // namespace
-
-NodalLoads PenaltyMethod::predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const {
-  NodalLoads loads = point.predicted_averages(space().slips(), fields);
-  load(loads);
-  return loads;
-}
-
-void PenaltyMethod::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& /*loads*/,
-                                         ScopedTimer& /*laps*/, NodeTangent& tangent) const {
-  const double penalty = laws().traction_penalty(node);
-  if (has_load_blocks()) {
-    const Patch rows = linear.patch.of_displacements();
-    tangent.loads.push_back(
-        {{static_cast<int>(node), std::nullopt, rows}, rows, linear.traction_work, linear.gap_variation, penalty});
-    return;
-  }
-  const VectorXd work = penalty * linear.traction_work;
-  tangent.blocks.push_back(traction_block(space(), linear.patch, work * linear.gap_variation.transpose()));
-}
-
-LoadBlock PenaltyMethod::flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                      double dt) const {
-  FluxLaw law = laws().scalar(field).flux(loads, node, laws().enforcing(field, node));
+LoadBlock flux_tangent(const PassNodes& at, int field, Index node, const NodeLinearisation& linear,
+                       const NodalLoads& loads, double dt) {
+  FluxLaw law = at.laws.scalar(field).flux(loads, node, at.laws.enforcing(field, node));
   // If no other field drives the flux, its variation is proportional to that of the field's jump.
   const double per_jump = law.d_jump[field] > 0 ? law.d_jump[field] : 1.0;
   law.d_jump /= per_jump;
   law.d_own /= per_jump;
-  Patch columns = flux_columns(linear.patch, field);
-  VectorXd row = flux_row(law, node, linear, columns);
+  Patch columns = flux_columns(at, linear.patch, field);
+  VectorXd row = flux_row(law, node, linear, columns, at.space.symmetric());
   return {{static_cast<int>(node), field, std::move(columns)},
           linear.patch.of_field(field, false),
           linear.jumps[position_in(linear.patch.fields, field)].weights,
@@ -71,37 +50,22 @@ LoadBlock PenaltyMethod::flux_tangent(int field, Index node, const NodeLinearisa
           dt * per_jump * loads.flux_area(field, node)};
 }
 
-NodeTangent PenaltyMethod::node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                        const VectorXd& /*weights*/, double dt) const {
-  NodeTangent tangent;
-  ScopedTimer laps(space().effect_times(), effects().scalar_fields());
-  if (linear.patch.displacements) {
-    add_traction_tangent(node, linear, loads, laps, tangent);
-    laps.traction();
-  }
-  for (Index k = 0; k < linear.patch.fields.count(); ++k) {
-    const int field = linear.patch.fields[k];
-    if (!loads.exchanges(field, node)) continue;
-    tangent.loads.push_back(flux_tangent(field, node, linear, loads, dt));
-    laps.field(field);
-  }
-  return tangent;
-}
-
-Matrix3Xd FrictionPenalty::slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const {
+/// The derivative dt_T/du of a sliding node at constant pressures.
+Matrix3Xd slip_variation(const NodalLaws& laws, Index node, const NodeLinearisation& linear, const NodalLoads& loads) {
   const FrictionTraction law = friction_law(loads, node);
-  const FrictionBound bound = laws().friction_bound(loads, node);
+  const FrictionBound bound = friction_bound(laws, loads, node);
   const SlipLinearisation& friction = linear.friction;
-  Eigen::RowVectorXd d_bound = bound.d_traction * laws().traction_penalty(node) * linear.gap_variation.transpose();
+  Eigen::RowVectorXd d_bound = bound.d_traction * laws.traction_penalty(node) * linear.gap_variation.transpose();
   if (friction.has_fluid()) d_bound += bound.d_pressure * friction.pressure_variation.transpose();
   return law.d_trial.lazyProduct(friction.trial_variation) + law.d_bound.lazyProduct(d_bound);
 }
 
-void FrictionPenalty::add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                         std::vector<TangentBlock>& blocks) const {
+/// Adds the variation of a sliding node's friction with respect to the fluid pressures.
+void add_pressure_block(const PassNodes& at, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                        std::vector<TangentBlock>& blocks) {
   const SlipLinearisation& friction = linear.friction;
-  if (!friction.has_fluid() || space().symmetric()) return;
-  const double d_pressure = laws().friction_bound(loads, node).d_pressure;
+  if (!friction.has_fluid() || at.space.symmetric()) return;
+  const double d_pressure = friction_bound(at.laws, loads, node).d_pressure;
   if (d_pressure == 0) return;
   const Patch columns = linear.patch.of_field(friction.pressure_field, false);
   MatrixXd by_pressure(linear.traction_work.size(), friction.work.size());
@@ -111,17 +75,57 @@ void FrictionPenalty::add_pressure_block(Index node, const NodeLinearisation& li
   blocks.push_back({linear.patch.of_displacements(), columns, std::move(by_pressure)});
 }
 
-void FrictionPenalty::add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                           ScopedTimer& laps, NodeTangent& tangent) const {
-  if (!loads.in_contact[node]) return PenaltyMethod::add_traction_tangent(node, linear, loads, laps, tangent);
-  const VectorXd work = laws().traction_penalty(node) * linear.traction_work;
+}  // namespace
+
+NodalLoads PenaltyMethod::predicted_loads(const PassNodes& at, const LinearisationPoint& point,
+                                          const FacingFields& fields) const {
+  NodalLoads loads = point.predicted_averages(at.space.slips(), fields);
+  load(at.laws, loads);
+  return loads;
+}
+
+void PenaltyMethod::add_traction_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear,
+                                         const NodalLoads& /*loads*/, ScopedTimer& /*laps*/,
+                                         NodeTangent& tangent) const {
+  const double penalty = at.laws.traction_penalty(node);
+  if (has_load_blocks() && !at.space.symmetric()) {
+    const Patch rows = linear.patch.of_displacements();
+    tangent.loads.push_back(
+        {{static_cast<int>(node), std::nullopt, rows}, rows, linear.traction_work, linear.gap_variation, penalty});
+    return;
+  }
+  const VectorXd work = penalty * linear.traction_work;
+  tangent.blocks.push_back(traction_block(at.space, linear.patch, work * linear.gap_variation.transpose()));
+}
+
+NodeTangent PenaltyMethod::node_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear,
+                                        const NodalLoads& loads, const VectorXd& /*weights*/, double dt) const {
+  NodeTangent tangent;
+  ScopedTimer laps(at.space.effect_times(), at.effects().scalar_fields());
+  if (linear.patch.displacements) {
+    add_traction_tangent(at, node, linear, loads, laps, tangent);
+    laps.traction();
+  }
+  for (Index k = 0; k < linear.patch.fields.count(); ++k) {
+    const int field = linear.patch.fields[k];
+    if (!loads.exchanges(field, node)) continue;
+    tangent.loads.push_back(flux_tangent(at, field, node, linear, loads, dt));
+    laps.field(field);
+  }
+  return tangent;
+}
+
+void FrictionPenalty::add_traction_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear,
+                                           const NodalLoads& loads, ScopedTimer& laps, NodeTangent& tangent) const {
+  if (!loads.in_contact[node]) return PenaltyMethod::add_traction_tangent(at, node, linear, loads, laps, tangent);
+  const VectorXd work = at.laws.traction_penalty(node) * linear.traction_work;
   const bool slips = loads.slips[node];
-  const Matrix3Xd sliding = slips ? slip_variation(node, linear, loads) : Matrix3Xd();
-  if (slips) add_pressure_block(node, linear, loads, tangent.blocks);
+  const Matrix3Xd sliding = slips ? slip_variation(at.laws, node, linear, loads) : Matrix3Xd();
+  if (slips) add_pressure_block(at, node, linear, loads, tangent.blocks);
   laps.friction();
   MatrixXd both = work_of_both(work, linear.gap_variation, linear.friction.work,
                                slips ? sliding : linear.friction.trial_variation);
-  tangent.blocks.push_back(traction_block(space(), linear.patch, std::move(both)));
+  tangent.blocks.push_back(traction_block(at.space, linear.patch, std::move(both)));
 }
 
 }  // namespace mixture_contact

@@ -11,49 +11,31 @@ namespace mixture_contact {
 /// points, Magisano, Leonetti and Garcea 2017).
 class PenaltyMethod : public EnforcementMethod {
  public:
-  using EnforcementMethod::EnforcementMethod;
-
-  void load(NodalLoads& loads) const override { laws().load(loads, true); }
-  NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
+  void load(const NodalLaws& laws, NodalLoads& loads) const override { laws.load(loads, true); }
+  NodalLoads predicted_loads(const PassNodes& at, const LinearisationPoint& point,
+                             const FacingFields& fields) const override;
   bool predicts() const override { return true; }
   bool is_linear() const override { return true; }
-  VectorXd equation_weights(const NodalLoads& /*loads*/, const Matrix3Xd& /*x1*/) const override { return {}; }
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override { use(patch); }
-  void equations(const NodalLoads& /*loads*/, const VectorXd& /*weights*/, double /*dt*/,
-                 const AddVector& /*add*/) const override {}
-  /// True without symmetrisation, whose result is no product of two vectors.
-  bool has_load_blocks() const override { return !space().symmetric(); }
-  NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+  bool has_load_blocks() const override { return true; }
+  NodeTangent node_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                            const VectorXd& weights, double dt) const override;
 
  protected:
   /// Adds the tangent of the traction of a node.
-  virtual void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                                    ScopedTimer& laps, NodeTangent& tangent) const;
-
- private:
-  LoadBlock flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                         double dt) const;
+  virtual void add_traction_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear,
+                                    const NodalLoads& loads, ScopedTimer& laps, NodeTangent& tangent) const;
 };
 
 /// The method of a contact with friction. The load of a node is a vector, whose tangent is no product of two vectors.
 class FrictionPenalty final : public PenaltyMethod {
  public:
-  using PenaltyMethod::PenaltyMethod;
-
   bool is_linear() const override { return false; }
   bool has_load_blocks() const override { return false; }
 
  protected:
-  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads, ScopedTimer& laps,
-                            NodeTangent& tangent) const override;
-
- private:
-  /// The derivative dt_T/du of a sliding node at constant pressures.
-  Matrix3Xd slip_variation(Index node, const NodeLinearisation& linear, const NodalLoads& loads) const;
-  /// Adds the variation of a sliding node's friction with respect to the fluid pressures.
-  void add_pressure_block(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                          std::vector<TangentBlock>& blocks) const;
+  void add_traction_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+                            ScopedTimer& laps, NodeTangent& tangent) const override;
 };
 
 }  // namespace mixture_contact

@@ -11,32 +11,20 @@ namespace mixture_contact {
 /// rows and columns of the tangent a similar size.
 class UnknownMultipliers : public EnforcementMethod {
  public:
-  using EnforcementMethod::EnforcementMethod;
-
-  void load(NodalLoads& loads) const override { laws().load(loads, false); }
-  NodalLoads predicted_loads(const LinearisationPoint& point, const FacingFields& fields) const override;
+  void load(const NodalLaws& laws, NodalLoads& loads) const override { laws.load(loads, false); }
+  NodalLoads predicted_loads(const PassNodes& at, const LinearisationPoint& point,
+                             const FacingFields& fields) const override;
   bool predicts() const override { return false; }
   bool is_linear() const override { return false; }
-  VectorXd equation_weights(const NodalLoads& loads, const Matrix3Xd& x1) const override;
+  VectorXd equation_weights(const PassNodes& at, const NodalLoads& loads, const Matrix3Xd& x1) const override;
   /// Couples each node with its own multipliers only, because loads are unknowns that do not depend on displacements
   /// and fields.
   void for_each_coupling(const Patch& patch, const UsePatch& use) const override;
-  void equations(const NodalLoads& loads, const VectorXd& weights, double dt, const AddVector& add) const override;
+  void equations(const PassNodes& at, const NodalLoads& loads, const VectorXd& weights, double dt,
+                 const AddVector& add) const override;
   bool has_load_blocks() const override { return false; }
-  NodeTangent node_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
+  NodeTangent node_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
                            const VectorXd& weights, double dt) const override;
-
- private:
-  ConditionValue traction_condition(Index node, const NodalLoads& loads) const;
-  ConditionValue flux_condition(int field, Index node, const NodalLoads& loads) const;
-  /// The quantity that takes the place of the gap in the equation of a field: the jump of a continuous field, or the
-  /// flux of a law.
-  FluxLaw driving(int field, Index node, const NodalLoads& loads) const;
-  // Add the blocks of the multipliers, and of each node with the multipliers.
-  void add_traction_tangent(Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                            const VectorXd& weights, std::vector<TangentBlock>& blocks) const;
-  void add_flux_tangent(int field, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                        const VectorXd& weights, double dt, std::vector<TangentBlock>& blocks) const;
 };
 
 /// The order of the unknown multipliers of a surface.

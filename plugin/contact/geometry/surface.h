@@ -57,6 +57,8 @@ struct SurfaceFields {
 
 /// Positions, or positions and fields, of the primary and secondary surface of a pass.
 using FacingPositions = Facing<Matrix3Xd>;
+/// The facets of both surfaces in one pass.
+using FacingFacets = Facing<IndexedVector<Facet>>;
 using FacingFields = Facing<SurfaceFields>;
 inline FacingPositions positions(const FacingFields& fields) {
   return {fields.primary.position, fields.secondary.position};

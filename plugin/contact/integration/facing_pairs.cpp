@@ -46,13 +46,13 @@ void FacingPairs::search(const FacingPositions& x, const Reach& reach) {
                             is_same_place(searched_at_.secondary, x.secondary);
   if (has_overlaps) return evaluate_all(x);
   reach_ = reach;
-  keep(finder_->search(x.primary, x.secondary, reach), x);
+  keep(finder_->search({primary_.facets, secondary_.facets}, x, reach), x);
   searched_at_ = {x.primary, x.secondary};
 }
 
 void FacingPairs::project_on_same_facets(const FacingPositions& x) {
   searched_at_ = {};
-  keep(finder_->on_same_facets(x.primary, x.secondary), x);
+  keep(finder_->on_same_facets({primary_.facets, secondary_.facets}, x), x);
 }
 
 bool FacingPairs::keep_lost_points(const FacingPositions& x) {

@@ -74,7 +74,7 @@ class FacingPairs {
   bool moves_points() const { return finder_->moves_points(); }
   /// Calls `use` with the motion of each point of a pair, in the order of the points.
   void for_each_motion(const FacetPair& pair, const FacingPositions& x, const UseMotion& use) const {
-    finder_->for_each_motion(pair, points(pair), x.primary, x.secondary, use);
+    finder_->for_each_motion(pair, points(pair), {primary_.facets, secondary_.facets}, x, use);
   }
 
   /// Kinematics of a point of a pair without moments (see flat()), at the positions of the last search or projection.

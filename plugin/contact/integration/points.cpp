@@ -48,6 +48,12 @@ class ByPair {
   std::vector<PairedPoint> of_facet_;
 };
 
+/// The facing share of a primary and a secondary facet.
+double share_of(const FacingFacets& facets, int primary, int secondary, const FacingPositions& x) {
+  return facing_share(middle_normal(facets.primary[primary], x.primary),
+                      middle_normal(facets.secondary[secondary], x.secondary));
+}
+
 }  // namespace
 
 void FacetPairs::clear() {
@@ -100,21 +106,16 @@ std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const Surf
   SelfContact self(primary, secondary);
   Visibility visibility(primary, secondary);
   if (settings.integration == Integration::segments) {
-    return std::make_unique<Segments>(primary.facets, secondary.facets, settings.integration_order, std::move(self),
-                                      EdgeNeighbours(secondary), std::move(visibility));
+    return std::make_unique<Segments>(settings.integration_order, std::move(self), EdgeNeighbours(secondary),
+                                      std::move(visibility));
   }
-  return std::make_unique<GaussPoints>(primary.facets, secondary.facets, settings.integration_order,
-                                       settings.search.tolerance, std::move(self), std::move(visibility));
+  return std::make_unique<GaussPoints>(primary.facets, settings.integration_order, settings.search.tolerance,
+                                       std::move(self), std::move(visibility));
 }
 
-GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-                         double tolerance, SelfContact self, Visibility visibility)
-    : primary_(primary),
-      secondary_(secondary),
-      tolerance_(tolerance),
-      self_(std::move(self)),
-      visibility_(std::move(visibility)),
-      moving_(secondary) {
+GaussPoints::GaussPoints(const IndexedVector<Facet>& primary, int order, double tolerance, SelfContact self,
+                         Visibility visibility)
+    : tolerance_(tolerance), self_(std::move(self)), visibility_(std::move(visibility)) {
   for (int f = 0; f < primary.count(); ++f) {
     const FacetType type = primary[f].type;
     for (const QuadraturePoint& q : quadrature(type, order > 0 ? order : default_quadrature_order(type))) {
@@ -143,18 +144,13 @@ bool GaussPoints::end_iterations() {
   return kept_any;
 }
 
-Ray GaussPoints::ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const {
-  const Facet& facet = primary_[point.facet];
+Ray GaussPoints::ray_from(const Point& point, const Facet& facet, const Matrix3Xd& x1, const Reach& reach) const {
   Ray ray = normal_ray(facet, x1, point.xi, reach.distance, tolerance_);
   ray.overlap = self_.largest_overlap(point.facet);
   ray.beyond = reach.beyond;
   if (!self_.is_active()) ray.ahead = reach.ahead(facet, x1);
   ray.normal = middle_normal(facet, x1);
   return ray;
-}
-
-double GaussPoints::share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const {
-  return facing_share(middle_normal(primary_[primary], x1), middle_normal(secondary_[secondary], x2));
 }
 
 FacetPairs GaussPoints::paired(const std::function<std::optional<Partner>(Index)>& partner_of) {
@@ -170,28 +166,28 @@ FacetPairs GaussPoints::paired(const std::function<std::optional<Partner>(Index)
   return pairs.finish();
 }
 
-FacetPairs GaussPoints::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
+FacetPairs GaussPoints::search(const FacingFacets& facets, const FacingPositions& x, const Reach& reach) {
   for (ProjectionHistory& history : histories_) history.facet = unpaired;
   has_shares_ = false;
-  if (!surfaces_within_reach(x1, x2, reach.backwards())) return {};
-  moving_.move_to(x2);
-  visibility_.move_to(x1, x2);
+  if (!surfaces_within_reach(x.primary, x.secondary, reach.backwards())) return {};
+  moving_.move_to(facets.secondary, x.secondary);
+  visibility_.move_to(x.primary, x.secondary);
   const auto hit_of = [&](Index q) {
     const Point& point = points_[q];
-    Ray ray = ray_from(point, x1, reach);
+    Ray ray = ray_from(point, facets.primary[point.facet], x.primary, reach);
     std::optional<SurfaceHit> hit = moving_.nearest_facing(
-        ray, neighbours_[q], [&](std::vector<int>& facets) { self_.keep_visible(point.facet, facets); },
+        facets.secondary, ray, neighbours_[q], [&](std::vector<int>& near) { self_.keep_visible(point.facet, near); },
         [&](const SurfaceHit& found) {
           return !visibility_.is_hidden(ray.origin, ray.direction, found.gap, point.facet, found.facet);
         });
     if (hit || !histories_[q].is_kept()) return hit;
     ray.tolerance = widest_miss;
-    return facing_hit(histories_[q].last, secondary_, x2, ray);
+    return facing_hit(histories_[q].last, facets.secondary, x.secondary, ray);
   };
   return paired([&](Index q) -> std::optional<Partner> {
     const std::optional<SurfaceHit> hit = hit_of(q);
     if (!hit) return std::nullopt;
-    return Partner{hit->facet, hit->eta, share(points_[q].facet, hit->facet, x1, x2)};
+    return Partner{hit->facet, hit->eta, share_of(facets, points_[q].facet, hit->facet, x)};
   });
 }
 
@@ -202,28 +198,30 @@ std::size_t GaussPoints::memory() const {
   return sum;
 }
 
-void GaussPoints::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
-                                  const Matrix3Xd& x2, const UseMotion& use) const {
-  if (!has_shares_ || share(pair.primary, pair.secondary, x1, x2) == 1) return use_no_motion(points.count(), use);
-  const Facet& one = primary_[pair.primary];
-  const Facet& two = secondary_[pair.secondary];
+void GaussPoints::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const FacingFacets& facets,
+                                  const FacingPositions& x, const UseMotion& use) const {
+  if (!has_shares_ || share_of(facets, pair.primary, pair.secondary, x) == 1) return use_no_motion(points.count(), use);
+  const Facet& one = facets.primary[pair.primary];
+  const Facet& two = facets.secondary[pair.secondary];
   PointMotion motion;
-  motion.weight = facing_share_variation(one.type, facet_coordinates(one, x1), two.type, facet_coordinates(two, x2));
+  motion.weight = facing_share_variation(one.type, facet_coordinates(one, x.primary), two.type,
+                                         facet_coordinates(two, x.secondary));
   motion.xi = PairVariation<2>::Zero(2, motion.weight.cols());
   for (Index q = 0; q < points.count(); ++q) use(motion);
 }
 
-FacetPairs GaussPoints::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
+FacetPairs GaussPoints::on_same_facets(const FacingFacets& facets, const FacingPositions& x) {
   return paired([&](Index q) -> std::optional<Partner> {
     const ProjectionHistory& history = histories_[q];
     if (history.facet == unpaired) return std::nullopt;
     const Point& point = points_[q];
-    const Facet& facet = secondary_[history.facet];
+    const Facet& facet = facets.secondary[history.facet];
     const double tolerance = history.is_kept() ? widest_miss : tolerance_;
-    const Ray ray = normal_ray(primary_[point.facet], x1, point.xi, 0, tolerance);
-    const auto hit = intersect(facet.type, facet_coordinates(facet, x2), ray.origin, ray.direction, ray.tolerance);
+    const Ray ray = normal_ray(facets.primary[point.facet], x.primary, point.xi, 0, tolerance);
+    const auto hit = intersect(facet.type, facet_coordinates(facet, x.secondary), ray.origin, ray.direction,
+                               ray.tolerance);
     if (!hit) return std::nullopt;
-    return Partner{history.facet, hit->eta, share(point.facet, history.facet, x1, x2)};
+    return Partner{history.facet, hit->eta, share_of(facets, point.facet, history.facet, x)};
   });
 }
 

@@ -92,15 +92,16 @@ using UseMotion = std::function<void(const PointMotion&)>;
 void use_no_motion(Index points, const UseMotion& use);
 
 /// Finds the integration points of a primary surface and the points of the secondary surface that they are paired with.
+/// Its functions receive the facets of both surfaces and the positions `x` of their nodes.
 class PointFinder : public Polymorphic {
  public:
   /// Finds the pairs of facets that face each other within reach, in ascending order of the primary facets. Within an
   /// iteration, the result depends on the positions alone.
-  virtual FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) = 0;
+  virtual FacetPairs search(const FacingFacets& facets, const FacingPositions& x, const Reach& reach) = 0;
 
   /// Projects the points at other positions, without a search, onto the secondary facets that the last search() found
   /// for them. The result depends on that search and on the positions alone.
-  virtual FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) = 0;
+  virtual FacetPairs on_same_facets(const FacingFacets& facets, const FacingPositions& x) = 0;
 
   /// Begins a Newton iteration at the positions of the last search. The finder keeps points paired from now on that
   /// have repeatedly lost the other surface at its edge. Returns true if a search at the same positions would therefore
@@ -116,14 +117,14 @@ class PointFinder : public Polymorphic {
 
   /// Calls `use` with the motion of each point of a pair, in order: how the point found at these positions varies with
   /// them. The points of fully covered pairs count as fixed.
-  virtual void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
-                               const Matrix3Xd& x2, const UseMotion& use) const = 0;
+  virtual void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const FacingFacets& facets,
+                               const FacingPositions& x, const UseMotion& use) const = 0;
 
   /// Memory of the finder [bytes].
   virtual std::size_t memory() const = 0;
 };
 
-/// Makes the finder that the settings select: segments or Gauss points. It keeps references to the facets.
+/// Makes the finder that the settings select: segments or Gauss points.
 std::unique_ptr<PointFinder> point_finder(const SurfaceMesh& primary, const SurfaceMesh& secondary,
                                           const Settings& settings);
 
@@ -138,17 +139,17 @@ class GaussPoints : public PointFinder {
  public:
   /// `order`: order of the quadrature rule on every primary facet, 0 for default_quadrature_order. `tolerance`:
   /// distance outside a facet within which a point still projects on it, in parametric coordinates.
-  GaussPoints(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, double tolerance,
-              SelfContact self = {}, Visibility visibility = {});
+  GaussPoints(const IndexedVector<Facet>& primary, int order, double tolerance, SelfContact self = {},
+              Visibility visibility = {});
 
-  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
+  FacetPairs search(const FacingFacets& facets, const FacingPositions& x, const Reach& reach) override;
   /// A point that has left its facet is paired again when it returns to that facet.
-  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
+  FacetPairs on_same_facets(const FacingFacets& facets, const FacingPositions& x) override;
   bool keep_lost_points() override;
   bool end_iterations() override;
   bool moves_points() const override { return has_shares_; }  ///< true if a share below 1 varies the weights
-  void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
-                       const UseMotion& use) const override;
+  void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const FacingFacets& facets,
+                       const FacingPositions& x, const UseMotion& use) const override;
   std::size_t memory() const override;
 
  private:
@@ -182,13 +183,9 @@ class GaussPoints : public PointFinder {
   };
   /// Makes the pairs from the partner that `partner_of` returns for each point, if any.
   FacetPairs paired(const std::function<std::optional<Partner>(Index)>& partner_of);
-  /// The facing share of a primary and a secondary facet.
-  double share(int primary, int secondary, const Matrix3Xd& x1, const Matrix3Xd& x2) const;
-  /// The search ray of a Gauss point.
-  Ray ray_from(const Point& point, const Matrix3Xd& x1, const Reach& reach) const;
+  /// The search ray of a Gauss point of this facet.
+  Ray ray_from(const Point& point, const Facet& facet, const Matrix3Xd& x1, const Reach& reach) const;
 
-  const IndexedVector<Facet>& primary_;
-  const IndexedVector<Facet>& secondary_;
   double tolerance_;
   SelfContact self_;
   Visibility visibility_;

@@ -171,15 +171,15 @@ std::optional<SurfaceHit> nearest_facing_or_passed(const FacetTree& tree, const 
   return hit;
 }
 
-void MovingSurface::move_to(const Matrix3Xd& positions) {
+void MovingSurface::move_to(const IndexedVector<Facet>& facets, const Matrix3Xd& positions) {
   positions_ = positions;
-  boxes_ = enlarged_boxes(facets_, positions, box_margin);
+  boxes_ = enlarged_boxes(facets, positions, box_margin);
   if (tree_) {
     const double moved = (positions - reference_).cwiseAbs().maxCoeff();
     if (moved * (1 + 2 * std::sqrt(3.0) * box_margin) <= slack_) return;
   }
   reference_ = positions;
-  tree_.emplace(facets_, positions, box_margin);
+  tree_.emplace(facets, positions, box_margin);
   slack_ = slack_fraction * mean_diagonal(boxes_);
   ++references_;
 }
@@ -189,7 +189,8 @@ bool MovingSurface::holds(const RayNeighbours& neighbours, const std::array<Vect
          (ends[1] - neighbours.ends[1]).cwiseAbs().maxCoeff() <= slack_;
 }
 
-std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeighbours& neighbours,
+std::optional<SurfaceHit> MovingSurface::nearest_facing(const IndexedVector<Facet>& facets, const Ray& ray,
+                                                        RayNeighbours& neighbours,
                                                         const std::function<void(std::vector<int>&)>& keep_visible,
                                                         const AcceptHit& accept) const {
   const Segment looked = looked_along(ray);
@@ -199,7 +200,7 @@ std::optional<SurfaceHit> MovingSurface::nearest_facing(const Ray& ray, RayNeigh
     neighbours = {ends, references_, tree_->candidates(looked.middle, ray.direction, looked.half.norm(), 2 * slack_)};
     if (keep_visible) keep_visible(neighbours.facets);
   }
-  return nearest_among(meeting(looked, neighbours.facets, boxes_), facets_, positions_, ray, accept);
+  return nearest_among(meeting(looked, neighbours.facets, boxes_), facets, positions_, ray, accept);
 }
 
 std::vector<int> MovingSurface::met(const Vector3d& from, const Vector3d& direction, double length) const {

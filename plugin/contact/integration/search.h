@@ -137,18 +137,16 @@ struct RayNeighbours {
 /// facet whose present box meets the ray, as long as its two ends have moved by at most s along any axis.
 class MovingSurface {
  public:
-  /// Keeps a reference to the facets.
-  explicit MovingSurface(const IndexedVector<Facet>& facets) : facets_(facets) {}
-
-  /// Sets the present positions of the nodes.
-  void move_to(const Matrix3Xd& positions);
+  /// Sets the present positions of the nodes. `facets`: the same in all calls.
+  void move_to(const IndexedVector<Facet>& facets, const Matrix3Xd& positions);
 
   /// The hit of nearest_facing() in the present configuration; empty before the first move_to().
   ///
   /// `neighbours`: the facets near this ray, kept between calls. They are updated if the ray or the surface has moved
   /// too far. `keep_visible` (optional) removes facets that the ray cannot see from a new list of neighbours. Rays with
   /// separate neighbours may be searched in parallel.
-  std::optional<SurfaceHit> nearest_facing(const Ray& ray, RayNeighbours& neighbours,
+  std::optional<SurfaceHit> nearest_facing(const IndexedVector<Facet>& facets, const Ray& ray,
+                                           RayNeighbours& neighbours,
                                            const std::function<void(std::vector<int>&)>& keep_visible = {},
                                            const AcceptHit& accept = {}) const;
 
@@ -162,7 +160,6 @@ class MovingSurface {
   /// True if the neighbours still contain all facets near a ray with these ends.
   bool holds(const RayNeighbours& neighbours, const std::array<Vector3d, 2>& ends) const;
 
-  const IndexedVector<Facet>& facets_;
   Matrix3Xd positions_;
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< boxes of the facets in the present configuration
   /// Positions of the nodes in the reference configuration.

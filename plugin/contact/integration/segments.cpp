@@ -68,56 +68,52 @@ int default_segment_order(FacetType primary, FacetType secondary) {
   return is_quadratic(primary) && is_quadratic(secondary) ? 2 : 3;
 }
 
-Segments::Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order,
-                   SelfContact self, EdgeNeighbours neighbours, Visibility visibility)
-    : primary_(primary),
-      secondary_(secondary),
-      order_(order),
-      self_(std::move(self)),
-      neighbours_(std::move(neighbours)),
-      visibility_(std::move(visibility)) {}
+Segments::Segments(int order, SelfContact self, EdgeNeighbours neighbours, Visibility visibility)
+    : order_(order), self_(std::move(self)), neighbours_(std::move(neighbours)), visibility_(std::move(visibility)) {}
 
-int Segments::order(const Facing& facing) const {
+int Segments::order(const FacingFacets& facets, const Facing& facing) const {
   if (order_ > 0) return order_;
-  return default_segment_order(primary_[facing.primary].type, secondary_[facing.secondary].type);
+  return default_segment_order(facets.primary[facing.primary].type, facets.secondary[facing.secondary].type);
 }
 
-bool Segments::is_exact(const FacetPair& pair) const {
-  const bool flat = is_flat(primary_[pair.primary].type) && is_flat(secondary_[pair.secondary].type);
-  return flat && order({pair.primary, pair.secondary}) >= 2;
+bool Segments::is_exact(const FacingFacets& facets, const FacetPair& pair) const {
+  const bool flat = is_flat(facets.primary[pair.primary].type) && is_flat(facets.secondary[pair.secondary].type);
+  return flat && order(facets, {pair.primary, pair.secondary}) >= 2;
 }
 
 bool Segments::sees(const FacetPair& pair, const IntegrationPoint& point, const SearchedSurfaces& at) const {
-  const Facet& one = primary_[pair.primary];
-  const Facet& two = secondary_[pair.secondary];
-  const PlacedPoint placed = placed_point(one, two, point, at.x1, at.x2);
+  const Facet& one = at.facets.primary[pair.primary];
+  const Facet& two = at.facets.secondary[pair.secondary];
+  const PlacedPoint placed = placed_point(one, two, point, at.x.primary, at.x.secondary);
   const double gap = placed.gap();
-  const double tilted = tilted_reach(middle_normal(one, at.x1), middle_normal(two, at.x2));
-  const bool is_near = self_.is_active() || gap <= tilted * at.reach.ahead(one, at.x1);
+  const double tilted = tilted_reach(middle_normal(one, at.x.primary), middle_normal(two, at.x.secondary));
+  const bool is_near = self_.is_active() || gap <= tilted * at.reach.ahead(one, at.x.primary);
   const bool is_within = gap <= at.reach.distance && placed.apart.norm() <= at.reach.backwards();
   return is_within && is_near && gap >= -self_.largest_overlap(pair.primary) &&
          !visibility_.is_hidden(placed.ray.origin, placed.ray.direction, gap, pair.primary, pair.secondary);
 }
 
 std::vector<int> Segments::candidates(int facet, const SearchedSurfaces& at) const {
-  const Ray ray = normal_ray(primary_[facet], at.x1, parametric_centre(primary_[facet].type), at.reach.distance, 0);
-  const double width = radius_around(facet_coordinates(primary_[facet], at.x1), ray.origin);
+  const Ray ray = normal_ray(at.facets.primary[facet], at.x.primary, parametric_centre(at.facets.primary[facet].type),
+                             at.reach.distance, 0);
+  const double width = radius_around(facet_coordinates(at.facets.primary[facet], at.x.primary), ray.origin);
   std::vector<int> found = at.tree.candidates(ray.origin, ray.direction, at.reach.backwards(), width);
   self_.keep_visible(facet, found);
   return found;
 }
 
-bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const SearchedSurfaces& at) const {
-  const Facet& one = primary_[pair.primary];
-  const Facet& two = secondary_[pair.secondary];
+bool Segments::occluded(const FacetPair& pair, const FacetPairs& all, const SearchedSurfaces& at) {
+  const Facet& one = at.facets.primary[pair.primary];
+  const Facet& two = at.facets.secondary[pair.secondary];
   const IntegrationPoint& point = heaviest(all.points(pair));
-  const PlacedPoint placed = placed_point(one, two, point, at.x1, at.x2);
+  const PlacedPoint placed = placed_point(one, two, point, at.x.primary, at.x.secondary);
   const Ray& ray = placed.ray;
   return std::any_of(all.pairs().begin(), all.pairs().end(), [&](const FacetPair& rival) {
-    const Facet& facet = secondary_[rival.secondary];
+    const Facet& facet = at.facets.secondary[rival.secondary];
     if (is_flat(facet.type) && is_passed(at.circles[rival.secondary], ray.origin, ray.direction)) return false;
     if (share_a_node(facet, two)) return false;
-    const auto hit = intersect(facet.type, facet_coordinates(facet, at.x2), ray.origin, ray.direction, ray.tolerance);
+    const auto hit = intersect(facet.type, facet_coordinates(facet, at.x.secondary), ray.origin, ray.direction,
+                               ray.tolerance);
     return hit && std::abs(hit->gap) < placed.apart.norm();
   });
 }
@@ -149,18 +145,20 @@ void Segments::add_near(int facet, int other, const SampledFacet& one, const Sea
                         FacetPairs& near) const {
   near.add_pair(facet, other);
   const FacetPair& pair = near.pairs().back();
-  const int rule = order({facet, other});
-  const bool faces = add_points_between(one, secondary_[other], at.x2, at.circles[other], rule, near) &&
+  const int rule = order(at.facets, {facet, other});
+  const bool faces = add_points_between(one, at.facets.secondary[other], at.x.secondary, at.circles[other], rule,
+                                        near) &&
                      (is_kept(pair) || sees(pair, heaviest(near.points(pair)), at));
   if (!faces) near.remove_last_pair();
 }
 
-bool Segments::is_fully_covered(const FacetPairs& of_facet, const SampledFacet& one, const Matrix3Xd& x2) const {
+bool Segments::is_fully_covered(const FacetPairs& of_facet, const SampledFacet& one, const SearchedSurfaces& at) const {
   const auto exact = [&](const FacetPair& pair) {
-    return is_exact(pair) && facing_share(one.normal, middle_normal(secondary_[pair.secondary], x2)) == 1;
+    return is_exact(at.facets, pair) &&
+           facing_share(one.normal, middle_normal(at.facets.secondary[pair.secondary], at.x.secondary)) == 1;
   };
   return std::all_of(of_facet.pairs().begin(), of_facet.pairs().end(), exact) &&
-         goes_on(of_facet, one.pieces.front(), secondary_, neighbours_, x2);
+         goes_on(of_facet, one.pieces.front(), at.facets.secondary, neighbours_, at.x.secondary);
 }
 
 void Segments::find_pairs(int facet, const SearchedSurfaces& at, FacetPairs& near, FacetPairs& memory) const {
@@ -168,19 +166,20 @@ void Segments::find_pairs(int facet, const SearchedSurfaces& at, FacetPairs& nea
   const std::vector<int> others = candidates(facet, at);
   if (others.empty()) return;
   LocalMemory<bytes_of_pieces<double>> pieces;
-  const SampledFacet one = sampled(primary_[facet], at.x1, pieces.resource());
+  const SampledFacet one = sampled(at.facets.primary[facet], at.x.primary, pieces.resource());
   for (const int other : others) add_near(facet, other, one, at, near);
   // Hidden pairs count in the test of the other pairs: a hidden facet hides others as well.
   remove_pairs(near, memory, [&](const FacetPair& pair) { return !is_kept(pair) && occluded(pair, near, at); });
-  if (is_fully_covered(near, one, at.x2)) near.set_unbroken();
+  if (is_fully_covered(near, one, at)) near.set_unbroken();
 }
 
-FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) {
+FacetPairs Segments::search(const FacingFacets& facets, const FacingPositions& x, const Reach& reach) {
   FacetPairs found;
   paired_.clear();
-  if (!surfaces_within_reach(x1, x2, reach.backwards())) return found;
-  visibility_.move_to(x1, x2);
-  const SearchedSurfaces at{x1, x2, reach, FacetTree(secondary_, x2, box_margin), circles_around(secondary_, x2)};
+  if (!surfaces_within_reach(x.primary, x.secondary, reach.backwards())) return found;
+  visibility_.move_to(x.primary, x.secondary);
+  const SearchedSurfaces at{facets, x, reach, FacetTree(facets.secondary, x.secondary, box_margin),
+                            circles_around(facets.secondary, x.secondary)};
   const auto find = [&](Index facet, FacetPairs& near, FacetPairs& memory) {
     find_pairs(static_cast<int>(facet), at, near, memory);
   };
@@ -190,28 +189,29 @@ FacetPairs Segments::search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reac
       found.add(pairs, pair);
     }
   };
-  in_order_with(FacetPairs(), FacetPairs(), primary_.count(), find, add_all);
+  in_order_with(FacetPairs(), FacetPairs(), facets.primary.count(), find, add_all);
   return found;
 }
 
-FacetPairs Segments::on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) {
+FacetPairs Segments::on_same_facets(const FacingFacets& facets, const FacingPositions& x) {
   FacetPairs found;
   for (const Facing& facing : paired_) {
-    const Facet& two = secondary_[facing.secondary];
+    const Facet& two = facets.secondary[facing.secondary];
     LocalMemory<bytes_of_pieces<double>> memory;
-    const SampledFacet one = sampled(primary_[facing.primary], x1, memory.resource());
+    const SampledFacet one = sampled(facets.primary[facing.primary], x.primary, memory.resource());
     found.add_pair(facing.primary, facing.secondary);
-    const Circle circle = circle_around(facet_coordinates(two, x2));
-    if (!add_points_between(one, two, x2, circle, order(facing), found)) found.remove_last_pair();
+    const Circle circle = circle_around(facet_coordinates(two, x.secondary));
+    if (!add_points_between(one, two, x.secondary, circle, order(facets, facing), found)) found.remove_last_pair();
   }
   return found;
 }
 
-void Segments::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1,
-                               const Matrix3Xd& x2, const UseMotion& use) const {
+void Segments::for_each_motion(const FacetPair& pair, const PointsOfPair& points, const FacingFacets& facets,
+                               const FacingPositions& x, const UseMotion& use) const {
   if (pair.unbroken) return use_no_motion(points.count(), use);
-  for_each_overlap_motion(points, placed(primary_[pair.primary], x1), placed(secondary_[pair.secondary], x2),
-                          order({pair.primary, pair.secondary}), use);
+  for_each_overlap_motion(points, placed(facets.primary[pair.primary], x.primary),
+                          placed(facets.secondary[pair.secondary], x.secondary),
+                          order(facets, {pair.primary, pair.secondary}), use);
 }
 
 }  // namespace mixture_contact

@@ -36,16 +36,15 @@ class Segments : public PointFinder {
  public:
   /// `order`: order of the quadrature rule on the pieces; 0: default_segment_order. `neighbours`: edge neighbours of
   /// the secondary facets.
-  Segments(const IndexedVector<Facet>& primary, const IndexedVector<Facet>& secondary, int order, SelfContact self = {},
-           EdgeNeighbours neighbours = {}, Visibility visibility = {});
+  explicit Segments(int order, SelfContact self = {}, EdgeNeighbours neighbours = {}, Visibility visibility = {});
 
-  FacetPairs search(const Matrix3Xd& x1, const Matrix3Xd& x2, const Reach& reach) override;
-  FacetPairs on_same_facets(const Matrix3Xd& x1, const Matrix3Xd& x2) override;
+  FacetPairs search(const FacingFacets& facets, const FacingPositions& x, const Reach& reach) override;
+  FacetPairs on_same_facets(const FacingFacets& facets, const FacingPositions& x) override;
   bool keep_lost_points() override;
   bool end_iterations() override;
   bool moves_points() const override { return true; }
-  void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const Matrix3Xd& x1, const Matrix3Xd& x2,
-                       const UseMotion& use) const override;
+  void for_each_motion(const FacetPair& pair, const PointsOfPair& points, const FacingFacets& facets,
+                       const FacingPositions& x, const UseMotion& use) const override;
   std::size_t memory() const override {
     return self_.memory() + neighbours_.memory() + visibility_.memory() + paired_.capacity() * sizeof(Facing);
   }
@@ -63,8 +62,8 @@ class Segments : public PointFinder {
   static constexpr int most_losses = 2;
   /// The surfaces during a search.
   struct SearchedSurfaces {
-    const Matrix3Xd& x1;
-    const Matrix3Xd& x2;
+    const FacingFacets& facets;
+    const FacingPositions& x;
     const Reach& reach;
     FacetTree tree;                 ///< secondary facets
     IndexedVector<Circle> circles;  ///< circles around the secondary facets
@@ -80,16 +79,14 @@ class Segments : public PointFinder {
   /// True if the facets of a pair face each other within reach, and nothing hides them, at one of the pair's points.
   bool sees(const FacetPair& pair, const IntegrationPoint& point, const SearchedSurfaces& at) const;
   /// True if another pair in `all`, on the same primary facet, has a nearer secondary facet.
-  bool occluded(const FacetPair& pair, const FacetPairs& all, const SearchedSurfaces& at) const;
+  static bool occluded(const FacetPair& pair, const FacetPairs& all, const SearchedSurfaces& at);
   /// True if the pairs of a primary facet are fully covered (FacetPair::unbroken).
-  bool is_fully_covered(const FacetPairs& of_facet, const SampledFacet& one, const Matrix3Xd& x2) const;
+  bool is_fully_covered(const FacetPairs& of_facet, const SampledFacet& one, const SearchedSurfaces& at) const;
   /// Order of the quadrature rule of a pair.
-  int order(const Facing& facing) const;
+  int order(const FacingFacets& facets, const Facing& facing) const;
   /// True if the quadrature is exact for a pair: both facets are flat and the order is at least 2.
-  bool is_exact(const FacetPair& pair) const;
+  bool is_exact(const FacingFacets& facets, const FacetPair& pair) const;
 
-  const IndexedVector<Facet>& primary_;
-  const IndexedVector<Facet>& secondary_;
   int order_;
   SelfContact self_;
   EdgeNeighbours neighbours_;

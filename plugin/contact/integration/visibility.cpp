@@ -32,8 +32,8 @@ Visibility::Visibility(const SurfaceMesh& primary, const SurfaceMesh& secondary)
 
 void Visibility::move_to(const Matrix3Xd& x1, const Matrix3Xd& x2) {
   if (screens_.empty()) return;
-  screens_.front().moving.move_to(x1);
-  screens_.back().moving.move_to(x2);
+  screens_.front().moving.move_to(screens_.front().mesh.facets, x1);
+  screens_.back().moving.move_to(screens_.back().mesh.facets, x2);
   for (Screen& screen : screens_) screen.size = 2 * half_diagonal(screen.moving.positions());
 }
 

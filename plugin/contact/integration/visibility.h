@@ -43,7 +43,7 @@ class Visibility {
  private:
   /// A surface that may hide others.
   struct Screen {
-    explicit Screen(const SurfaceMesh& of) : mesh(of), moving(of.facets) {}
+    explicit Screen(const SurfaceMesh& of) : mesh(of) {}
     const SurfaceMesh& mesh;
     MovingSurface moving;
     double size = 0;  ///< diagonal of the box around the surface [length]

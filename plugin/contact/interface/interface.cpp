@@ -109,7 +109,7 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   if (is_start && extends_radius(settings_, mesh_)) accepted_.position = position_;
   for (SidedPass& pass : passes_) {
     pass.hits.reset();
-    pass.integral->slips().begin_at(seen_from(pass.side, position_));
+    pass.integral->slips().begin_at(pass.integral->space().facing(), seen_from(pass.side, position_));
     if (search_all) {
       find_points(pass, position_, reach_in_step(settings_, accepted_, position_));
     } else {
@@ -215,8 +215,8 @@ void ContactInterface::for_each_coupling(const UseLocation& use, const UseLoadPl
 
 GapReport ContactInterface::gaps(const PerSide<SurfaceFields>& fields) const {
   const TaskClock timed = measurements_.clock(Task::augmentation);
-  GapReport worst{
-      {}, IndexedVector<FieldGap>(effects_.scalar_fields()), IndexedVector<FieldGap>(tangential_conditions(effects_))};
+  const Index tangential = tangential_condition(effects_.acting_friction()).count();
+  GapReport worst{{}, IndexedVector<FieldGap>(effects_.scalar_fields()), IndexedVector<FieldGap>(tangential)};
   for (const SidedPass& pass : passes_) {
     // Penalties of a second pass next to unknown multipliers leave gaps that no augmentation closes.
     if (pass.integral->space().has_unknown_multipliers() != this->pass(0).space().has_unknown_multipliers()) continue;
@@ -259,7 +259,8 @@ UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceF
 
 void ContactInterface::restrict_second_pass() {
   if (passes_.size() == 1) passes_.push_back(make_pass(Side::secondary, mesh_, effects_, check_.settings));
-  passes_.back().integral->slips().restore(seen_from(Side::secondary, pass(0).slips().state()));
+  const ContactPass& second = *passes_.back().integral;
+  second.slips().restore(second.space().facing(), seen_from(Side::secondary, pass(0).slips().state()));
   passes_.back().integral->restrict_active_set(check_.nodes);
 }
 

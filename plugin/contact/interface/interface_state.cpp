@@ -64,7 +64,7 @@ ContactInterface::State ContactInterface::state() const {
 void ContactInterface::restore(State state) {
   check(state, mesh_, effects_, settings_.two_pass);
   accepted_ = {{}, state.overlap};
-  pass(0).slips().restore(seen_from(Side::primary, state.slips_from));
+  pass(0).slips().restore(pass(0).space().facing(), seen_from(Side::primary, state.slips_from));
   NodeFlags check_nodes(check_.nodes.count(), false);
   for (const int node : state.check_nodes) check_nodes[node] = true;
   if (check_nodes != check_.nodes) {
@@ -75,7 +75,8 @@ void ContactInterface::restore(State state) {
   }
   for (std::size_t pass = 0; pass < passes_.size(); ++pass) {
     passes_[pass].integral->laws().multipliers = std::move(state.multipliers[pass]);
-    passes_[pass].integral->slips().restore(seen_from(passes_[pass].side, state.slips_from));
+    const ContactPass& integral = *passes_[pass].integral;
+    integral.slips().restore(integral.space().facing(), seen_from(passes_[pass].side, state.slips_from));
   }
   end_iterations();
   forget_past(*this);

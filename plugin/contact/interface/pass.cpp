@@ -50,8 +50,7 @@ void ContactPass::augment(const FacingFields& fields) {
 
 bool ContactPass::accept_step(const FacingFields& fields) {
   NodalLoads loads = nodal_loads(fields);
-  const bool changes_averages = parts_.space.kept_slips().measure_from(positions(fields));
-  parts_.space.slips().convect(loads.friction, parts_.space, loads.in_contact, fields.primary.position);
+  const bool changes_averages = slips().accept(parts_.space, positions(fields), loads);
   parts_.laws.accept(loads);
   return changes_averages;
 }

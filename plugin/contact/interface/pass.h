@@ -54,7 +54,7 @@ class ContactPass {
   NodalLoads nodal_loads(const FacingFields& fields) const { return geometry_->loads(fields); }
 
   /// True if the tangents of nodes can be passed on as load blocks.
-  bool has_load_blocks() const { return parts_.method->has_load_blocks(); }
+  bool has_load_blocks() const { return parts_.has_load_blocks(); }
 
   /// Primary nodes that are in contact and flux-coupled.
   NodeFlags flux_coupled() const { return geometry_->flux_coupled(); }

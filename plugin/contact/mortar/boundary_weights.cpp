@@ -28,7 +28,7 @@ double least_covered_part(bool is_decided, bool carries) {
 }  // namespace
 
 void BoundaryWeights::decide(int facet, const FacetGapSums& covered, const FacetVector& all) {
-  carriers_.resize(facets_.size());
+  carriers_.resize(indexing::entries(facets_));
   const FacetVector area = covered.row(0);
   const FacetVector part = area.cwiseQuotient(all);
   const double near = far_away * std::sqrt(all.sum());
@@ -51,17 +51,16 @@ void BoundaryWeights::restore(LoadCarriers decisions) {
   carriers_.clear();
 }
 
-ShapeFunctions BoundaryWeights::shape(int facet, int sub_facet, const Vector2d& xi) const {
-  const FacetType type = facets_[facet].type;
+ShapeFunctions BoundaryWeights::shape(int facet, FacetType type, int sub_facet, const Vector2d& xi) const {
   const ShapeFunctions psi = multiplier_functions(type, sub_facet, xi);
   return redistributes(facet) ? redistributed(type, psi, carriers_[facet]) : psi;
 }
 
-std::optional<MatrixXd> BoundaryWeights::heirs(int facet) const {
+std::optional<MatrixXd> BoundaryWeights::heirs(int facet, FacetType type) const {
   if (!redistributes(facet)) return std::nullopt;
-  const Facet& of = facets_[facet];
-  MatrixXd heirs(of.count(), of.count());
-  for (int node = 0; node < of.count(); ++node) heirs.col(node) = heirs_of(of.type, node, carriers_[facet]);
+  const FacetVector& carriers = carriers_[facet];
+  MatrixXd heirs(carriers.size(), carriers.size());
+  for (int node = 0; node < carriers.size(); ++node) heirs.col(node) = heirs_of(type, node, carriers);
   return heirs;
 }
 

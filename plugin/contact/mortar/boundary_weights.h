@@ -23,8 +23,8 @@ using LoadCarriers = IndexedVector<FacetVector>;
 /// starts would not be in equilibrium.
 class BoundaryWeights {
  public:
-  /// Keeps a reference to the facets.
-  explicit BoundaryWeights(const IndexedVector<Facet>& facets) : facets_(facets) {}
+  /// `facets`: number of facets of the surface.
+  explicit BoundaryWeights(Index facets) : facets_(facets) {}
 
   /// Discards the present decisions such that they are made again from the last accepted ones.
   void reconsider() { carriers_.clear(); }
@@ -46,10 +46,10 @@ class BoundaryWeights {
   ///
   /// Far from its node a psi_a is almost zero: an average with it would hardly depend on the node, and a condition on
   /// it would contradict the conditions of the nodes that carry the load.
-  ShapeFunctions shape(int facet, int sub_facet, const Vector2d& xi) const;
+  ShapeFunctions shape(int facet, FacetType type, int sub_facet, const Vector2d& xi) const;
   /// The redistribution weights of a facet's nodes (heirs_of()), one column per node; empty if no function of the facet
   /// is redistributed.
-  std::optional<MatrixXd> heirs(int facet) const;
+  std::optional<MatrixXd> heirs(int facet, FacetType type) const;
 
   /// Memory of the decisions [bytes].
   std::size_t memory() const { return (carriers_.capacity() + settled_.capacity()) * sizeof(FacetVector); }
@@ -61,7 +61,7 @@ class BoundaryWeights {
     return !carriers.empty() && carriers[facet].size() > 0;
   }
 
-  const IndexedVector<Facet>& facets_;
+  Index facets_;  ///< number of facets
   /// The present decisions; empty if none has been made.
   LoadCarriers carriers_;
   LoadCarriers settled_;  ///< the last accepted decisions; empty if there are none

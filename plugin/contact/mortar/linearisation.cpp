@@ -53,7 +53,6 @@ void set_zero(PairLinearisation& linear, const MortarSpace& space, const FacetPa
     set_no_variation(jump.projection_variation);
     jump.weights.setZero(layout.nodes(), corners);
   }
-  space.slips().set_zero(linear.slips, space, layout);
 }
 
 /// Adds the part of a pair to the linearisation of a node of its primary facet. `corner`: number of the node in the
@@ -137,12 +136,12 @@ void linearise_pair(const MortarSpace& space, const FacetPair& pair, PairMemory&
   const Facet& facet = space.facing().primary_facet(pair);
   set_corner_points(memory, facet, loads.in_contact);
   for (const CornerPoint& at : memory.corners) linear.is_averaged[at.corner] = true;
+  const LocalLayout layout = patch.displacement_layout();
   if (patch.displacements) {
-    const LocalLayout layout = patch.displacement_layout();
     for (const CornerPoint& at : memory.corners) add_gap(linear, layout, loads, at);
     laps.traction();
   }
-  space.slips().add_pair(linear.slips, space, pair, memory.corners, fields, laps);
+  space.slips().set_pair(linear.slips, space, pair, layout, memory.corners, fields, laps);
   for (Index k = 0; k < patch.fields.count(); ++k) {
     for (const CornerPoint& at : memory.corners) add_jump(linear, k, loads, at);
     laps.field(patch.fields[k]);

@@ -6,20 +6,20 @@ namespace {
 /// A pair with the loads of its nodes, from which the loads of its points are interpolated.
 class LoadedPair {
  public:
-  /// Keeps references to `space` and `pair`.
-  LoadedPair(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads, const FacingFields& fields,
+  LoadedPair(const FacingPairs& facing, const FacetPair& pair, const NodalLoads& loads, const FacingFields& fields,
              double dt)
-      : space_(space), pair_(pair), fields_(space.facing().exchanged_fields(pair)), dt_(dt) {
-    nodal_ = facet_loads(space.facing().primary_facet(pair), loads, fields_);
-    values_.resize(nodes(), fields_.count());
-    for (Index k = 0; k < fields_.count(); ++k) values_.col(k) = space.facing().values(pair, fields_[k], fields);
+      : fields_(facing.exchanged_fields(pair)), dt_(dt) {
+    nodal_ = facet_loads(facing.primary_facet(pair), loads, fields_);
+    values_.resize(node_count(facing.primary_facet(pair).type) + node_count(facing.secondary_facet(pair).type),
+                   fields_.count());
+    for (Index k = 0; k < fields_.count(); ++k) values_.col(k) = facing.values(pair, fields_[k], fields);
   }
 
-  /// The point with this number, and its loads.
-  PointContact point(Index number) const {
-    const IntegrationPoint& place = space_.facing().points(pair_)[number];
-    PointContact contact(pair_, space_.facing().kinematics(pair_, number));
-    const ShapeFunctions psi = space_.shape(pair_.primary, place.sub_facet, place.xi);
+  /// The point of the pair with this number, and its loads.
+  PointContact point(const MortarSpace& space, const FacetPair& pair, Index number) const {
+    const IntegrationPoint& place = space.facing().points(pair)[number];
+    PointContact contact(pair, space.facing().kinematics(pair, number));
+    const ShapeFunctions psi = space.shape(pair.primary, place.sub_facet, place.xi);
     contact.psi = psi.value;
     contact.psi_gradient = psi.gradient;
     contact.fields = fields_;
@@ -27,19 +27,14 @@ class LoadedPair {
     contact.loads = loads_at(nodal_, contact.psi);
     contact.loads.weight = place.weight;
     contact.loads.time_increment = dt_;
-    if (!pair_.unbroken) set_slopes(contact);
+    if (!pair.unbroken) set_slopes(contact, space.facing().moves_points());
     return contact;
   }
 
  private:
-  Index nodes() const {
-    const FacingPairs& facing = space_.facing();
-    return node_count(facing.primary_facet(pair_).type) + node_count(facing.secondary_facet(pair_).type);
-  }
-
-  void set_slopes(PointContact& contact) const {
+  void set_slopes(PointContact& contact, bool moves_points) const {
     contact.loads.traction_slope = contact.psi_gradient.transpose() * nodal_.traction;
-    if (space_.facing().moves_points()) {
+    if (moves_points) {
       for (Index a = 0; a < nodal_.friction.cols(); ++a)
         contact.loads.friction_slope += nodal_.friction.col(a).lazyProduct(contact.psi_gradient.row(a));
     }
@@ -48,8 +43,6 @@ class LoadedPair {
       contact.loads.flux_slope.row(k) = nodal_.flux[k].transpose() * contact.psi_gradient;
   }
 
-  const MortarSpace& space_;
-  const FacetPair& pair_;
   IndexedVector<int> fields_;
   double dt_;
   FacetLoads nodal_;
@@ -97,9 +90,9 @@ void set_varying_pair(const MortarSpace& space, const FacetPair& pair, const Nod
   };
   space.integrate(pair, by_moments, [&] {
     points.reserve(indexing::entries(pair.points));
-    const LoadedPair loaded(space, pair, loads, fields, dt);
+    const LoadedPair loaded(space.facing(), pair, loads, fields, dt);
     space.facing().for_each_motion(pair, positions(fields), [&](const PointMotion& motion) {
-      points.emplace_back(loaded.point(count_of(points)), motion);
+      points.emplace_back(loaded.point(space, pair, count_of(points)), motion);
     });
   });
 }
@@ -113,8 +106,8 @@ VaryingPair varying_pair(const MortarSpace& space, const FacetPair& pair, const 
 
 void for_each_loaded_point(const MortarSpace& space, const FacetPair& pair, const NodalLoads& loads,
                            const FacingFields& fields, double dt, const std::function<void(const PointContact&)>& use) {
-  const LoadedPair loaded(space, pair, loads, fields, dt);
-  for (Index q = 0; q < pair.points; ++q) use(loaded.point(q));
+  const LoadedPair loaded(space.facing(), pair, loads, fields, dt);
+  for (Index q = 0; q < pair.points; ++q) use(loaded.point(space, pair, q));
 }
 
 }  // namespace mixture_contact

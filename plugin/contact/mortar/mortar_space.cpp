@@ -2,7 +2,6 @@
 
 #include "base/bytes.h"
 #include "base/in_order.h"
-#include "conditions/friction.h"
 #include "integration/facing_share.h"
 
 #include <algorithm>
@@ -83,14 +82,12 @@ bool is_faced_enough(double of_facet, double best, bool bore) {
 MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                          const Settings& settings)
     : facing_(primary, secondary, effects, settings),
-      weights_(primary.facets),
+      weights_(primary.facets.count()),
       redistributes_(settings.integration == Integration::segments),
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
       offset_(settings.gap.offset),
-      slips_(by_friction<std::unique_ptr<SlipAverages>>(
-          effects.friction_kind, [] { return std::make_unique<SlipAverages>(); },
-          [&] { return std::make_unique<MeasuredSlips>(primary, settings.friction.ambient_pressure); })),
+      slips_(slip_averages(effects.friction_kind, settings.friction.ambient_pressure)),
       effect_times_(effects.scalar_fields()) {}
 
 bool MortarSpace::keep_lost_points(const FacingPositions& x) {
@@ -100,7 +97,7 @@ bool MortarSpace::keep_lost_points(const FacingPositions& x) {
 }
 
 FlatPair MortarSpace::redistributed(FlatPair flat, const FacetPair& pair) const {
-  if (const std::optional<MatrixXd> heirs = weights_.heirs(pair.primary)) {
+  if (const std::optional<MatrixXd> heirs = weights_.heirs(pair.primary, facing_.primary_facet(pair).type)) {
     flat.moments = flat.moments.redistributed(*heirs);
     flat.gap = *heirs * flat.gap;
   }

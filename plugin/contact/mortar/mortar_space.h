@@ -37,7 +37,7 @@ class MortarSpace {
   const BoundaryWeights& boundary_weights() const { return weights_; }
   /// The functions psi_a at a point of a primary facet (see BoundaryWeights::shape).
   ShapeFunctions shape(int primary_facet, int sub_facet, const Vector2d& xi) const {
-    return weights_.shape(primary_facet, sub_facet, xi);
+    return weights_.shape(primary_facet, facing_.primary().facets[primary_facet].type, sub_facet, xi);
   }
 
   /// Calls by_moments(flat) for a pair that is integrated by moments (see FacingPairs::flat), with the redistributed

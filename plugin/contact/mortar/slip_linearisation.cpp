@@ -138,19 +138,15 @@ Matrix3Xd MeasuredSlips::convection_around(const FacingPairs& facing, Index node
   return sum;
 }
 
-void MeasuredSlips::set_zero(IndexedVector<PairSlip>& corners, const MortarSpace& space,
-                             const LocalLayout& displacements) const {
+void MeasuredSlips::set_pair(IndexedVector<PairSlip>& corners, const MortarSpace& space, const FacetPair& pair,
+                             const LocalLayout& displacements, const std::vector<CornerPoint>& points,
+                             const FacingFields& fields, ScopedTimer& laps) const {
+  const FacingPairs& facing = space.facing();
   corners.resize(indexing::entries(displacements.primary_nodes()));
   for (PairSlip& corner : corners) {
     corner.average_variation.setZero(6, displacements.size());
     set_rest_zero(corner, displacements, space.effects());
   }
-}
-
-void MeasuredSlips::add_pair(IndexedVector<PairSlip>& corners, const MortarSpace& space, const FacetPair& pair,
-                             const std::vector<CornerPoint>& points, const FacingFields& fields,
-                             ScopedTimer& laps) const {
-  const FacingPairs& facing = space.facing();
   const FacetCoordinates past1 = facet_coordinates(facing.primary_facet(pair), past_[Side::primary]);
   const FacetCoordinates past2 = facet_coordinates(facing.secondary_facet(pair), past_[Side::secondary]);
   const BearingPressure pressure = bearing_pressure(facing, pair, fields, ambient_pressure_);

@@ -2,6 +2,7 @@
 
 #include "base/bytes.h"
 #include "base/in_order.h"
+#include "conditions/friction.h"
 #include "mortar/bearing_pressure.h"
 #include "mortar/mortar_space.h"
 
@@ -45,9 +46,9 @@ Eigen::Matrix3d convected(const Convection& there, const FacetCoordinates& x) {
 
 /// Calls use(pair) for the first pair of each primary facet.
 template <class Use>
-void for_each_primary_facet(const MortarSpace& space, const Use& use) {
+void for_each_primary_facet(const FacingPairs& facing, const Use& use) {
   int done = -1;
-  for (const FacetPair& pair : space.facing().pairs()) {
+  for (const FacetPair& pair : facing.pairs()) {
     if (pair.primary == done) continue;  // pairs come in the order of their primary facets
     done = pair.primary;
     use(pair);
@@ -56,26 +57,37 @@ void for_each_primary_facet(const MortarSpace& space, const Use& use) {
 
 }  // namespace
 
-bool MeasuredSlips::measure_from(const FacingPositions& past) {
+std::unique_ptr<SlipAverages> slip_averages(FrictionKind kind, double ambient_pressure) {
+  return by_friction<std::unique_ptr<SlipAverages>>(
+      kind, [] { return std::make_unique<SlipAverages>(); },
+      [&] { return std::make_unique<MeasuredSlips>(ambient_pressure); });
+}
+
+void MeasuredSlips::measure_from(const FacingPairs& facing, const FacingPositions& past) {
   is_set_ = true;
   past_ = {{past.primary, past.secondary}};
-  const IndexedVector<Facet>& facets = primary_.facets;
+  const IndexedVector<Facet>& facets = facing.primary().facets;
   convections_ = IndexedVector<IndexedVector<Convection>>(facets.count());
   in_parallel(facets.count(), [&](Index index) {
     const FacetCoordinates x = facet_coordinates(facets[index], past.primary);
     for (Index corner = 0; corner < x.cols(); ++corner)
       convections_[index].push_back(convection(facets[index], corner, x));
   });
+}
+
+void MeasuredSlips::begin_at(const FacingPairs& facing, const FacingPositions& x) {
+  if (!is_set_) measure_from(facing, x);
+}
+
+bool MeasuredSlips::accept(const MortarSpace& space, const FacingPositions& x, NodalLoads& loads) {
+  measure_from(space.facing(), x);
+  convect(loads.friction, space.facing(), loads.in_contact, x.primary);
   return true;
 }
 
-void MeasuredSlips::begin_at(const FacingPositions& x) {
-  if (!is_set_) measure_from(x);
-}
-
-void MeasuredSlips::restore(const FacingPositions& past) {
+void MeasuredSlips::restore(const FacingPairs& facing, const FacingPositions& past) {
   forget();
-  if (past.primary.cols() > 0) measure_from(past);
+  if (past.primary.cols() > 0) measure_from(facing, past);
 }
 
 std::size_t MeasuredSlips::memory() const {
@@ -107,16 +119,17 @@ NodalFriction MeasuredSlips::averages(const MortarSpace& space, const NodalLoads
     }
   });
   if (space.effects().bearing_fields() != 0) friction.pressure = std::move(pressure);
-  convect(friction, space, loads.in_contact, fields.primary.position);
+  convect(friction, space.facing(), loads.in_contact, fields.primary.position);
   return friction;
 }
 
-void MeasuredSlips::convect(NodalFriction& friction, const MortarSpace& space, const NodeFlags& in_contact,
+void MeasuredSlips::convect(NodalFriction& friction, const FacingPairs& facing, const NodeFlags& in_contact,
                             const Matrix3Xd& x1) const {
-  friction.convection.fill(space.nodes(), Eigen::Matrix3d::Zero());
-  VectorXd areas = VectorXd::Zero(space.nodes());
-  for_each_primary_facet(space, [&](const FacetPair& pair) {
-    const Facet& facet = space.facing().primary_facet(pair);
+  const Index nodes = facing.primary().nodes;
+  friction.convection.fill(nodes, Eigen::Matrix3d::Zero());
+  VectorXd areas = VectorXd::Zero(nodes);
+  for_each_primary_facet(facing, [&](const FacetPair& pair) {
+    const Facet& facet = facing.primary_facet(pair);
     const FacetCoordinates x = facet_coordinates(facet, x1);
     for (Index corner = 0; corner < facet.count(); ++corner) {
       const int node = facet.node(corner);
@@ -126,7 +139,7 @@ void MeasuredSlips::convect(NodalFriction& friction, const MortarSpace& space, c
       areas[node] += there.area;
     }
   });
-  for (Index node = 0; node < space.nodes(); ++node) {
+  for (Index node = 0; node < nodes; ++node) {
     if (areas[node] > 0) friction.convection[node] /= areas[node];
   }
 }

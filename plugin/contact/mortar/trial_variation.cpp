@@ -11,7 +11,7 @@ Matrix3Xd trial_variation(const NodalLaws& laws, Index node, const NodeLinearisa
   const SlipLinearisation& vary = linear.friction;
   const FrictionTrial trial = friction.geometric.size() > 0
                                   ? carried_trial(friction, node, friction.geometric.col(node))
-                                  : laws.friction_trial(friction, node);
+                                  : friction_trial(laws, friction, node);
   const Vector3d& n = trial.normal;
   const Eigen::Matrix3d in_plane = Eigen::Matrix3d::Identity() - n * n.transpose();
   const double size = friction.area_vector.col(node).norm();

@@ -133,7 +133,7 @@ class RightHandSide : public Helper {
  public:
   /// Keeps a reference to the matrix.
   explicit RightHandSide(KeptMatrix& matrix) : matrix_(matrix) {}
-  void try_increment(const std::vector<double>& increment) override { matrix_.tried(increment); }
+  void try_increment(Solver& /*solver*/, const std::vector<double>& increment) override { matrix_.tried(increment); }
 
  private:
   KeptMatrix& matrix_;

@@ -1,6 +1,7 @@
 // Tests of defaults for parameters that a model does not set.
 #include "host/contact_parameters.h"
 #include "host/facet_material.h"
+#include "host/friction.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -89,8 +90,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_notes_its_load_curve_or_refuses_it) {
   BOOST_TEST(followed == 15);
   BOOST_TEST(refused > 20);
   BOOST_TEST(parameters.gap.offset.varies);
-  BOOST_TEST(has_friction(parameters));
-  BOOST_TEST(is_relieved_by_fluid(parameters));
+  BOOST_CHECK(requested_friction(parameters, true) == mixture_contact::FrictionKind::on_solid_part);
 }
 
 BOOST_AUTO_TEST_CASE(a_device_of_the_solver_that_does_not_exist_is_an_error_that_names_what_does) {

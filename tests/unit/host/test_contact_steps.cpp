@@ -64,25 +64,27 @@ class FakeContact : public SteppedContact {
 class FakeHelper : public newton::Helper {
  public:
   explicit FakeHelper(Notes& notes) : notes_(notes) {}
-  bool begin_step() override {
+  bool begin_step(newton::Solver& /*solver*/) override {
     notes_.emplace_back("helper step");
     return false;
   }
-  void begin_iterations() override { notes_.emplace_back("helper iterations"); }
-  void try_increment(const std::vector<double>& /*increment*/) override { notes_.emplace_back("helper trial"); }
-  bool adapt() override {
+  void begin_iterations(newton::Solver& /*solver*/) override { notes_.emplace_back("helper iterations"); }
+  void try_increment(newton::Solver& /*solver*/, const std::vector<double>& /*increment*/) override {
+    notes_.emplace_back("helper trial");
+  }
+  bool adapt(newton::Solver& /*solver*/) override {
     notes_.emplace_back("helper adapt");
     return false;
   }
-  bool rejects() override { return std::exchange(too_short, false); }
+  bool rejects(newton::Solver& /*solver*/) override { return std::exchange(too_short, false); }
   bool multiplies_by_matrix() const override { return multiplies; }
-  bool predict(const std::function<void()>& arrived) override {
+  bool predict(newton::Solver& /*solver*/, const std::function<void()>& arrived) override {
     if (on_prediction) on_prediction();
     if (predicted) arrived();
     return predicted;
   }
-  void complete_residual() override { notes_.emplace_back("helper residual"); }
-  void rewind() override { notes_.emplace_back("helper rewind"); }
+  void complete_residual(newton::Solver& /*solver*/) override { notes_.emplace_back("helper residual"); }
+  void rewind(newton::Solver& /*solver*/) override { notes_.emplace_back("helper rewind"); }
 
   bool too_short = false;
   bool predicted = false;
@@ -100,10 +102,10 @@ struct TooManyRejections : std::runtime_error {
 class FakeHost : public SteppedModel {
  public:
   explicit FakeHost(int count, MatrixUse use = MatrixUse::each_iteration)
-      : matrices(use), helpers_(solver_), steps(*this, helpers_) {
+      : matrices(use), steps(*this, newton::Helpers(solver_)) {
     auto made = std::make_unique<FakeHelper>(notes);
     helper = made.get();
-    helpers_.add(std::move(made), [] { return true; });
+    steps.helpers().add(std::move(made), [] { return true; });
     for (int n = 0; n < count; ++n) {
       contacts.push_back(std::make_unique<FakeContact>(std::string(1, char('A' + n)), notes));
       is_active.push_back(true);
@@ -209,7 +211,6 @@ class FakeHost : public SteppedModel {
 
  private:
   FakeSolver solver_;
-  newton::Helpers helpers_;
 
  public:
   ContactSteps steps;

@@ -16,7 +16,9 @@ struct Squares {
   PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 1);
   GridSurface below = grid_surface(grids[Side::primary], 0);
   GridSurface above = grid_surface(grids[Side::secondary], 0);
-  GaussPoints points{below.mesh.facets, above.mesh.facets, 0, 0.01};
+  GaussPoints points{below.mesh.facets, 0, 0.01};
+
+  FacingFacets facets() const { return {below.mesh.facets, above.mesh.facets}; }
 
   Matrix3Xd shifted(double by) const {
     Matrix3Xd position = above.position;
@@ -28,7 +30,7 @@ struct Squares {
   /// runs backwards.
   std::vector<double> seen(double shift) {
     std::vector<double> places;
-    const FacetPairs found = points.search(below.position, shifted(shift), 1);
+    const FacetPairs found = points.search(facets(), {below.position, shifted(shift)}, 1);
     for (const IntegrationPoint& point : found.points()) places.push_back(-point.eta[0]);
     std::sort(places.begin(), places.end());
     return places;
@@ -52,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_point_whose_projection_is_lost_twice_in_a_step_is_kept_be
   BOOST_TEST(kept.size() == 4);
   BOOST_TEST(std::abs(kept.front() + place + 1) <= rounding);  // half a square is a parametric coordinate of 1
   BOOST_TEST(std::abs(kept.back() - place + 1) <= rounding);
-  const auto same = squares.points.on_same_facets(squares.below.position, squares.shifted(half));
+  const auto same = squares.points.on_same_facets(squares.facets(), {squares.below.position, squares.shifted(half)});
   BOOST_TEST(same.pairs().front().points == 4);
   BOOST_TEST(!squares.points.keep_lost_points());
   BOOST_TEST(squares.seen(0.75).size() == 2);  // points more than half a square beyond the edge are lost
@@ -76,9 +78,10 @@ BOOST_AUTO_TEST_CASE(the_motion_of_a_step_extends_the_search_for_overlaps_alone)
     const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, overlap, 1, 1);
     const GridSurface below = grid_surface(grids[Side::primary], 0);
     const GridSurface above = grid_surface(grids[Side::secondary], 0);
-    GaussPoints finder(below.mesh.facets, above.mesh.facets, 3, 0.01);
-    BOOST_TEST(finder.search(below.position, above.position, 1).pairs().empty());
-    BOOST_TEST(finder.search(below.position, above.position, reach).pairs().empty() == (overlap < 0));
+    const FacingFacets facets{below.mesh.facets, above.mesh.facets};
+    GaussPoints finder(below.mesh.facets, 3, 0.01);
+    BOOST_TEST(finder.search(facets, {below.position, above.position}, 1).pairs().empty());
+    BOOST_TEST(finder.search(facets, {below.position, above.position}, reach).pairs().empty() == (overlap < 0));
   }
 }
 
@@ -87,8 +90,9 @@ BOOST_AUTO_TEST_CASE(points_of_a_pair_lie_together_in_whatever_order_they_are_fo
   const PerSide<Grid> grids = facing_grids(FacetType::quad4, FacetType::quad4, 0.1, 1, 2);
   const GridSurface below = grid_surface(grids[Side::primary], 0);
   const GridSurface above = grid_surface(grids[Side::secondary], 0);
-  GaussPoints finder(below.mesh.facets, above.mesh.facets, 3, 0.01);
-  const FacetPairs found = finder.search(below.position, above.position, 1);
+  const FacingFacets facets{below.mesh.facets, above.mesh.facets};
+  GaussPoints finder(below.mesh.facets, 3, 0.01);
+  const FacetPairs found = finder.search(facets, {below.position, above.position}, 1);
   BOOST_TEST(found.pairs().size() == 4);
   BOOST_TEST(found.points().size() == 9);
   Index first = 0;

@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_surface_that_moves_is_searched_as_if_anew) {
   int kept = 0;
   for (const FacetType type : all_facets) {
     GridSurface surface = random_surface(type, random);
-    MovingSurface moving(surface.mesh.facets);
+    MovingSurface moving;
     std::vector<Ray> rays;
     for (int i = 0; i < 20; ++i) rays.push_back(random_ray(random));
     std::vector<RayNeighbours> neighbours(rays.size());
@@ -225,12 +225,12 @@ BOOST_AUTO_TEST_CASE(a_surface_that_moves_is_searched_as_if_anew) {
       for (Index node = 0; node < surface.position.cols(); ++node) {
         surface.position.col(node) += shift + random_vector(0.002, random);
       }
-      moving.move_to(surface.position);
+      moving.move_to(surface.mesh.facets, surface.position);
       for (std::size_t i = 0; i < rays.size(); ++i) {
         rays[i].origin += random_vector(way, random);
         rays[i].direction = (rays[i].direction + random_vector(0.1 * way, random)).normalized();
         const RayNeighbours before = neighbours[i];
-        const std::optional<SurfaceHit> hit = moving.nearest_facing(rays[i], neighbours[i]);
+        const std::optional<SurfaceHit> hit = moving.nearest_facing(surface.mesh.facets, rays[i], neighbours[i]);
         BOOST_TEST(same(hit, search(surface, rays[i])));
         found += hit.has_value();
         kept += neighbours[i].reference == before.reference && neighbours[i].ends == before.ends;

@@ -30,9 +30,14 @@ Scene squares(FacetType one, FacetType two, int cells_one, int cells_two, double
   return {facing_grids(one, two, overlap, cells_one, cells_two), effects_of(true, 1), settings};
 }
 
+FacingFacets facets_of(const Scene& scene) {
+  return {scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets};
+}
+
+FacingPositions positions_of(const Scene& scene) { return positions(seen_from(Side::primary, scene.fields)); }
+
 FacetPairs pairs_of(const Scene& scene, int order = 0) {
-  return Segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, order)
-      .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
+  return Segments(order).search(facets_of(scene), positions_of(scene), 1);
 }
 
 /// Calls `use` with the kinematics at the points of all pairs.
@@ -98,8 +103,7 @@ Scene turned_beneath(FacetType one, FacetType two, double size, std::mt19937& ra
 /// The pairs of a scene, with the edge neighbours of the secondary surface.
 FacetPairs pairs_with_neighbours(const Scene& scene, int order = 0) {
   const SurfaceMesh& two = scene.mesh[Side::secondary];
-  return Segments(scene.mesh[Side::primary].facets, two.facets, order, {}, EdgeNeighbours(two))
-      .search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, 1);
+  return Segments(order, {}, EdgeNeighbours(two)).search(facets_of(scene), positions_of(scene), 1);
 }
 
 /// Relative error of a contact's tangent at constant contact status.
@@ -167,18 +171,19 @@ MatrixXd weighted_motion(const PointsOfPair& points, const IndexedVector<PointMo
 /// Squares of the error and of the size of the motions of a pair's points, by central differences. Some overlaps are
 /// slivers of width 1e-3, over which the motions vary.
 Vector2d motion_error(const LonePair& lone) {
-  Segments segments(lone.primary, lone.secondary, 0);
-  const FacetPairs found = segments.search(lone.x1(lone.nodes), lone.x2(lone.nodes), 1);
+  const FacingFacets facets{lone.primary, lone.secondary};
+  Segments segments(0);
+  const FacetPairs found = segments.search(facets, {lone.x1(lone.nodes), lone.x2(lone.nodes)}, 1);
   if (found.pairs().empty()) return {0, 0};
   const FacetPair& pair = found.pairs().front();
   const MatrixXd approximate = fine_differences(
       [&](const VectorXd& at) {
-        const FacetPairs moved = segments.on_same_facets(lone.x1(at), lone.x2(at));
+        const FacetPairs moved = segments.on_same_facets(facets, {lone.x1(at), lone.x2(at)});
         return weighted(moved.points(moved.pairs().front()));
       },
       lone.nodes);
   IndexedVector<PointMotion> motions;
-  segments.for_each_motion(pair, found.points(pair), lone.x1(lone.nodes), lone.x2(lone.nodes),
+  segments.for_each_motion(pair, found.points(pair), facets, {lone.x1(lone.nodes), lone.x2(lone.nodes)},
                            [&](const PointMotion& motion) { motions.push_back(motion); });
   const MatrixXd motion = weighted_motion(found.points(pair), motions);
   return {(motion - approximate).squaredNorm(), approximate.squaredNorm()};
@@ -378,11 +383,9 @@ BOOST_AUTO_TEST_CASE(the_motion_of_a_step_extends_the_reach_of_overlaps_alone) {
   reach.beyond = 1;
   for (const double overlap : {-1.5, 1.5}) {
     const Scene scene = squares(FacetType::quad4, FacetType::quad4, 2, 3, overlap);
-    Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
+    Segments segments(0);
     const auto sees = [&](const Reach& within) {
-      return !segments.search(scene.fields[Side::primary].position, scene.fields[Side::secondary].position, within)
-                  .pairs()
-                  .empty();
+      return !segments.search(facets_of(scene), positions_of(scene), within).pairs().empty();
     };
     BOOST_TEST(!sees(1));
     BOOST_TEST(sees(reach) == (overlap > 0));
@@ -393,10 +396,10 @@ BOOST_AUTO_TEST_CASE(facets_that_lose_each_other_twice_in_a_step_see_each_other_
   const Scene scene = squares(FacetType::quad4, FacetType::quad4, 1, 1, 0.0);
   const Matrix3Xd& x1 = scene.fields[Side::primary].position;
   const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-  Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
+  Segments segments(0);
   const auto sees_at = [&](double gap) {
     const Matrix3Xd away = x2.colwise() + gap * middle_normal(FacetType::quad4, x1);
-    return !segments.search(x1, away, Reach(1, 0)).pairs().empty();
+    return !segments.search(facets_of(scene), {x1, away}, Reach(1, 0)).pairs().empty();
   };
   const double within = 0.9 * parallel_reach;
   const double beyond = 1.1 * parallel_reach;
@@ -419,9 +422,9 @@ BOOST_AUTO_TEST_CASE(points_on_the_same_facets_are_those_of_the_search) {
   scene.disturb(0.03, random);
   const Matrix3Xd& x1 = scene.fields[Side::primary].position;
   const Matrix3Xd& x2 = scene.fields[Side::secondary].position;
-  Segments segments(scene.mesh[Side::primary].facets, scene.mesh[Side::secondary].facets, 0);
-  const FacetPairs found = segments.search(x1, x2, 1);
-  const FacetPairs again = segments.on_same_facets(x1, x2);
+  Segments segments(0);
+  const FacetPairs found = segments.search(facets_of(scene), {x1, x2}, 1);
+  const FacetPairs again = segments.on_same_facets(facets_of(scene), {x1, x2});
   BOOST_TEST_REQUIRE(found.pairs().size() == again.pairs().size());
   for (Index i = 0; i < found.pairs().count(); ++i) {
     BOOST_TEST(found.pairs()[i].secondary == again.pairs()[i].secondary);

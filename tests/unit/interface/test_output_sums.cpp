@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(flat_pairs_put_out_what_their_points_would) {
       covered.row(0) << 1, 1, 0.1;  // the covered part is too small for the last node to carry load
       scene.space.boundary_weights().decide(0, covered, FacetVector::Ones(3));
     }
-    BOOST_TEST(scene.space.boundary_weights().heirs(0).has_value() == redistributes);
+    BOOST_TEST(scene.space.boundary_weights().heirs(0, FacetType::tri3).has_value() == redistributes);
     for (const FacetPair& pair : scene.space.facing().pairs()) BOOST_TEST(scene.space.facing().flat(pair) != nullptr);
 
     const FacingFields fields = scene.facing();

@@ -26,7 +26,7 @@ FacetGapSums covered(double s, double g = 0) {
 /// True if the far nodes carry load after the other surface has covered these fractions of the facet in successive
 /// steps.
 bool far_nodes_carry(std::initializer_list<double> parts) {
-  BoundaryWeights weights(one_square);
+  BoundaryWeights weights(1);
   for (const double s : parts) {
     weights.settle();
     weights.decide(square, covered(s), shares());
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_decision_made_again_in_the_same_place_is_the_same) {
 }
 
 BOOST_AUTO_TEST_CASE(reconsidering_starts_from_the_settled_decision) {
-  BoundaryWeights weights(one_square);
+  BoundaryWeights weights(1);
   weights.decide(square, covered(1), shares());
   weights.settle();
   weights.decide(square, covered(0.1), shares());
@@ -71,16 +71,16 @@ BOOST_AUTO_TEST_CASE(reconsidering_starts_from_the_settled_decision) {
 }
 
 BOOST_AUTO_TEST_CASE(stored_decisions_continue_where_they_were_made) {
-  BoundaryWeights weights(one_square);
+  BoundaryWeights weights(1);
   weights.decide(square, covered(1), shares());
-  BoundaryWeights fresh(one_square);
+  BoundaryWeights fresh(1);
   fresh.restore(weights.last_decisions());
   fresh.decide(square, covered(0.75), shares());
   BOOST_TEST(fresh.last_decisions()[square].minCoeff() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(nodes_away_from_the_other_surface_have_no_load_to_give) {
-  BoundaryWeights weights(one_square);
+  BoundaryWeights weights(1);
   weights.decide(square, covered(0.5, 0.011), shares());
   BOOST_TEST(weights.last_decisions()[square].minCoeff() == 1);
   weights.reconsider();

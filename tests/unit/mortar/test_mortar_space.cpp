@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(flat_pairs_average_as_their_points_do) {
       covered.row(0) << 1, 1, 0.1;  // the covered part is too small for the last node to carry load
       scene.space.boundary_weights().decide(0, covered, FacetVector::Ones(3));
     }
-    BOOST_TEST(scene.space.boundary_weights().heirs(0).has_value() == redistributes);
+    BOOST_TEST(scene.space.boundary_weights().heirs(0, FacetType::tri3).has_value() == redistributes);
     const IndexedVector<FacetPair>& pairs = scene.space.facing().pairs();
     BOOST_TEST(std::all_of(pairs.begin(), pairs.end(),
                            [&](const FacetPair& pair) { return scene.space.facing().flat(pair) != nullptr; }));

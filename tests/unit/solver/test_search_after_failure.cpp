@@ -12,7 +12,7 @@ struct Repeated {
   FakeSolver solver;
   bool is_needed = true;
   newton::DeviceRecord record;
-  newton::SearchAfterFailure helper{solver, [this] { return is_needed; }, record};
+  newton::SearchAfterFailure helper{[this] { return is_needed; }, record};
 };
 
 }  // namespace
@@ -20,12 +20,12 @@ struct Repeated {
 BOOST_AUTO_TEST_CASE(a_repeated_attempt_has_a_line_search_until_the_step_is_solved) {
   for (const double given : {0.0, 0.5}) {
     Repeated step(given);
-    step.helper.rewind();
+    step.helper.rewind(step.solver);
     step.is_needed = false;
-    step.helper.rewind();
+    step.helper.rewind(step.solver);
     BOOST_TEST(step.solver.tolerance == (given == 0 ? 0.9 : given));
     BOOST_TEST(step.solver.halves_inversions);
-    step.helper.end_step();
+    step.helper.end_step(step.solver);
     BOOST_TEST(step.solver.tolerance == given);
     BOOST_TEST(!step.solver.halves_inversions);
   }
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(a_repeated_attempt_has_a_line_search_until_the_step_is_solv
 BOOST_AUTO_TEST_CASE(other_failures_change_nothing) {
   Repeated step(0);
   step.is_needed = false;
-  step.helper.rewind();
+  step.helper.rewind(step.solver);
   BOOST_TEST(step.solver.tolerance == 0);
   BOOST_TEST(!step.solver.halves_inversions);
 }
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(other_failures_change_nothing) {
 BOOST_AUTO_TEST_CASE(a_solver_without_a_line_search_is_left_alone) {
   Repeated step(0);
   step.solver.searches = false;
-  step.helper.rewind();
-  step.helper.end_step();
+  step.helper.rewind(step.solver);
+  step.helper.end_step(step.solver);
   BOOST_TEST(step.solver.tolerance == 0);
 }
