@@ -9,6 +9,7 @@
 #include "host/cohesive_zone.h"
 #include "offered_parameters.h"
 #include "present_step.h"
+#include "solver/febio/febio_system.h"
 #include "surface_materials.h"
 #include "tie_archive.h"
 
@@ -26,6 +27,15 @@ bool close_gaps(TieSetup& setup, ContactSurfaces& surfaces) {
   const std::unique_ptr<Tie> before = setup.build();
   if (before != nullptr) surfaces.relocate_primary(setup.relocated(*before));
   return before != nullptr;
+}
+
+/// True if all contacts of a model are ties that never break, and nothing else makes FEBio renew the matrix profile.
+bool has_constant_profile(FEModel& fem) {
+  for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
+    const auto* const tie = dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i));
+    if (tie == nullptr || tie->may_break()) return false;
+  }
+  return fem.NonlinearConstraints() == 0;
 }
 
 }  // namespace
@@ -231,6 +241,9 @@ void FEMixtureTie::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& tim
   iterations_.begin(*tie_, fields());
   auto* const solver = dynamic_cast<FENewtonSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
   assembly_.tangent(*tie_, system, *solver->GetStiffnessMatrix(), time.timeIncrement, iterations_.softening());
+  if (!has_constant_profile(*GetFEModel())) return;
+  newton::FEBioSolver present(*GetFEModel());
+  newton::FEBioSystem(present).keep_profile();
 }
 
 void FEMixtureTie::serialize_model(DumpStream& ar) {

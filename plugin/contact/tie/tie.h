@@ -74,7 +74,10 @@ class Tie {
   Patch patch(Index n) const;
   /// The unknowns on which a node's flux of a field depends.
   Patch patch(Index n, int field) const;
-  /// Calls use(patch) for the traction and for each flux of all nodes.
+  /// True if forces of one direction depend on displacements of others: with kept gaps, which turn with the bodies, and
+  /// with cohesive bonds. Otherwise each direction has a tangent of its own.
+  bool couples_directions() const;
+  /// Calls use(patch) for the traction and for each flux of all nodes that couple the surfaces.
   void for_each_patch(const std::function<void(const Patch&)>& use) const;
 
   /// The gaps and loads of all tied nodes at a state.
@@ -108,6 +111,8 @@ class Tie {
 
  private:
   double flux_penalty(Index n, int field) const;
+  /// False for a broken node, unless it has equations for its multipliers.
+  bool is_coupled(Index n) const { return has_unknown_multipliers() || !state_.damage.is_broken(n); }
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
   MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, const Softening& softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
