@@ -29,11 +29,11 @@ bool close_gaps(TieSetup& setup, ContactSurfaces& surfaces) {
   return before != nullptr;
 }
 
-/// True if all contacts of a model are ties that never break, and nothing else makes FEBio renew the matrix profile.
+/// True if all contacts of a model are ties, and nothing else makes FEBio renew the matrix profile. A tie that can
+/// break has a sliding contact.
 bool has_constant_profile(FEModel& fem) {
   for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
-    const auto* const tie = dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i));
-    if (tie == nullptr || tie->may_break()) return false;
+    if (dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i)) == nullptr) return false;
   }
   return fem.NonlinearConstraints() == 0;
 }

@@ -42,8 +42,6 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   void step_solved() override;
   bool is_softening() const override { return iterations_.is_any_softening(); }
   void step_failed() override;
-  /// True if nodes can break; a sliding contact then acts for the broken ones.
-  bool may_break() const { return sliding_ != nullptr; }
 
  private:
   bool prepare_surfaces();
