@@ -92,6 +92,22 @@ BOOST_AUTO_TEST_CASE(brittle_nodes_break_where_the_load_exceeds_the_strength_and
   }
 }
 
+BOOST_AUTO_TEST_CASE(broken_nodes_couple_the_surfaces_only_by_equations_of_their_multipliers) {
+  for (const Enforcement enforcement : {Enforcement::penalty, Enforcement::lagrange_multipliers}) {
+    TiedScene tied(FacetType::quad4, FacetType::quad4, 0, enforcement, {2, 2}, brittle);
+    const auto patches = [&] {
+      int count = 0;
+      tied.tie->for_each_patch([&](const Patch& /*patch*/) { ++count; });
+      return count;
+    };
+    const int intact = patches();
+    DamageState damage = tied.tie->state().damage;
+    damage.damage[0] = 1;
+    take_damage(*tied.tie, damage);
+    BOOST_TEST(patches() == intact - (enforcement == Enforcement::penalty ? 3 : 0));  // a traction and two fluxes
+  }
+}
+
 BOOST_AUTO_TEST_CASE(
     brittle_nodes_break_before_a_solution_only_if_their_load_exceeds_its_strength_by_more_than_its_error) {
   TiedScene tied(FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {2, 2}, brittle);
