@@ -74,10 +74,8 @@ class Tie {
   Patch patch(Index n) const;
   /// The unknowns on which a node's flux of a field depends.
   Patch patch(Index n, int field) const;
-  /// True if forces of one direction depend on displacements of others: with kept gaps, which turn with the bodies, and
-  /// with cohesive bonds. Otherwise each direction has a tangent of its own.
-  bool couples_directions() const;
-  /// Calls use(patch) for the traction and for each flux of all nodes that couple the surfaces.
+  /// Calls use(patch) for the traction and for each flux of all nodes that couple the surfaces. A broken node does so
+  /// only by the equations of its multipliers, if they are unknowns.
   void for_each_patch(const std::function<void(const Patch&)>& use) const;
 
   /// The gaps and loads of all tied nodes at a state.
@@ -111,8 +109,6 @@ class Tie {
 
  private:
   double flux_penalty(Index n, int field) const;
-  /// False for a broken node, unless it has equations for its multipliers.
-  bool is_coupled(Index n) const { return has_unknown_multipliers() || !state_.damage.is_broken(n); }
   VectorXd flux_residual(Index n, int field, const TieLoads& loads) const;
   MatrixXd traction_tangent(Index n, const FacingPositions& x, const TieLoads& loads, const Softening& softening) const;
   MatrixXd flux_tangent(Index n, int field) const;
@@ -131,5 +127,9 @@ class Tie {
   Penalties penalties_;  ///< penalties per node of the primary surface
   TieState state_;
 };
+
+/// True if forces of one direction depend on displacements of others: with kept gaps, which turn with the bodies, and
+/// with cohesive bonds. Otherwise each direction has a tangent of its own.
+bool couples_directions(const Tie& tie);
 
 }  // namespace mixture_contact

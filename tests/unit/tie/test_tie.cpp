@@ -46,8 +46,8 @@ BOOST_AUTO_TEST_CASE(kept_gaps_and_cohesive_bonds_alone_couple_directions) {
           if (i % 5 != j % 5) across = std::max(across, std::abs(tangent(i, j)));
         }
       }
-      BOOST_TEST(tied.tie->couples_directions() == (gap > 0 || std::holds_alternative<Cohesive>(law)));
-      BOOST_TEST((across > 0) == tied.tie->couples_directions());
+      BOOST_TEST(couples_directions(*tied.tie) == (gap > 0 || std::holds_alternative<Cohesive>(law)));
+      BOOST_TEST((across > 0) == couples_directions(*tied.tie));
     }
   }
 }
