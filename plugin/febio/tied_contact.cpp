@@ -23,7 +23,7 @@ using namespace mixture_contact;
 namespace {
 
 /// Closes the initial gaps by relocation of the primary nodes. Returns false if there is nothing to tie.
-bool close_gaps(TieSetup& setup, ContactSurfaces& surfaces) {
+bool close_gaps(const TieSetup& setup, ContactSurfaces& surfaces) {
   const std::unique_ptr<Tie> before = setup.build();
   if (before != nullptr) surfaces.relocate_primary(setup.relocated(*before));
   return before != nullptr;
