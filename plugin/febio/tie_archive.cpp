@@ -39,6 +39,7 @@ void archive_entry(DumpStream& ar, TiedNode& tied) {
   archive(ar, static_cast<std::vector<int>&>(tied.secondary));
   archive_entry(ar, tied.traction);
   archive_list(ar, tied.fields);
+  archive(ar, tied.primary_shares);
   archive(ar, tied.secondary_shares);
   archive_list(ar, tied.gaps);
 }

@@ -9,6 +9,7 @@
 #include "host/cohesive_zone.h"
 #include "offered_parameters.h"
 #include "present_step.h"
+#include "solver/febio/febio_system.h"
 #include "surface_materials.h"
 #include "tie_archive.h"
 
@@ -22,10 +23,19 @@ using namespace mixture_contact;
 namespace {
 
 /// Closes the initial gaps by relocation of the primary nodes. Returns false if there is nothing to tie.
-bool close_gaps(TieSetup& setup, ContactSurfaces& surfaces) {
+bool close_gaps(const TieSetup& setup, ContactSurfaces& surfaces) {
   const std::unique_ptr<Tie> before = setup.build();
   if (before != nullptr) surfaces.relocate_primary(setup.relocated(*before));
   return before != nullptr;
+}
+
+/// True if all contacts of a model are ties, and nothing else makes FEBio renew the matrix profile. A tie that can
+/// break has a sliding contact.
+bool has_constant_profile(FEModel& fem) {
+  for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
+    if (dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i)) == nullptr) return false;
+  }
+  return fem.NonlinearConstraints() == 0;
 }
 
 }  // namespace
@@ -231,6 +241,9 @@ void FEMixtureTie::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& tim
   iterations_.begin(*tie_, fields());
   auto* const solver = dynamic_cast<FENewtonSolver*>(GetFEModel()->GetCurrentStep()->GetFESolver());
   assembly_.tangent(*tie_, system, *solver->GetStiffnessMatrix(), time.timeIncrement, iterations_.softening());
+  if (!has_constant_profile(*GetFEModel())) return;
+  newton::FEBioSolver present(*GetFEModel());
+  newton::FEBioSystem(present).keep_profile();
 }
 
 void FEMixtureTie::serialize_model(DumpStream& ar) {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -121,6 +121,17 @@ def test_convert_gives_the_same_loads(solve, tmp_path, name):
     assert np.abs(ours - theirs)[: min(breaks)].max() <= allowed
     assert np.abs(ours - theirs)[-1].max() <= allowed
     assert runs["tied"][1].report.iterations <= runs["sticky"][1].report.iterations
+
+
+@pytest.mark.parametrize("name", ["pulled off a rigid body", "peeled"])
+def test_the_first_node_breaks_in_the_step_of_febio_where_tractions_vary(solve, tmp_path, name):
+    """On meshes of 8 by 8 cells, with a traction at the edge of up to 1.8 times the mean."""
+    document = replace(SCENES[name], cells=(8, 8)).document()
+    path = tmp_path / "sticky.feb"
+    path.write_text(document.text())
+    runs = {key: solve(key, text) for key, text in (("sticky", document), ("tied", convert(path).data.decode()))}
+    theirs, ours = (first_break(loads(runs[key][0], document)) for key in ("sticky", "tied"))
+    assert ours == theirs
 
 
 @pytest.mark.parametrize("change", [{"gap": 0.05}, {"gap": 0.05, "z": ((0, 0), (1, -0.1))}])

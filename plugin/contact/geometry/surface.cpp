@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -47,6 +48,11 @@ NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& seco
   const bool is_fixed = faced.count() > 0 && std::all_of(faced.begin(), faced.end(), is_set) &&
                         std::any_of(own.begin(), own.end(), is_set) && !std::all_of(own.begin(), own.end(), is_set);
   return is_fixed ? primary.immovable : NodeFlags();
+}
+
+bool are_all_joined(const SurfaceMesh& mesh) {
+  return !mesh.joined.empty() &&
+         std::all_of(mesh.joined.begin(), mesh.joined.end(), [](bool joined) { return joined; });
 }
 
 void find_joined_nodes(PerSide<SurfaceMesh>& meshes, const PerSide<std::vector<int>>& numbers) {

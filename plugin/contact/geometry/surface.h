@@ -40,6 +40,9 @@ struct SurfaceMesh {
 /// there is none, or if no primary node can move.
 NodeFlags nodes_of_fixed_gap(const SurfaceMesh& primary, const SurfaceMesh& secondary);
 
+/// True if all nodes of a surface are joined with the other surface.
+bool are_all_joined(const SurfaceMesh& mesh);
+
 /// Sets SurfaceMesh::joined, the nodes that both surfaces contain. `numbers`: for each surface, the numbers of its
 /// nodes in the host's mesh.
 void find_joined_nodes(PerSide<SurfaceMesh>& meshes, const PerSide<std::vector<int>>& numbers);

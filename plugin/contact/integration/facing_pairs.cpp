@@ -40,6 +40,7 @@ FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondar
 
 void FacingPairs::search(const FacingPositions& x, const Reach& reach) {
   surface_size_ = half_diagonal(x.primary);
+  if (restriction_ && !any(*restriction_)) return clear();
   // If surfaces have moved by rounding only, the overlaps of their facets are unchanged. The gaps have to be evaluated
   // again, because a large penalty turns their rounding into loads.
   const bool has_overlaps = moves_points() && reach == reach_ && is_same_place(searched_at_.primary, x.primary) &&

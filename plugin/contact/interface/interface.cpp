@@ -101,7 +101,8 @@ void ContactInterface::project(const PerSide<Matrix3Xd>& position, Search search
   const auto same = [&](Side side) {
     return position_[side].cols() == position[side].cols() && position_[side] == position[side];
   };
-  const bool search_all = search == Search::everywhere;
+  // Nodes that join() has freed may have no facets from the last search.
+  const bool search_all = search == Search::everywhere || position_[Side::primary].cols() == 0;
   if (same(Side::primary) && same(Side::secondary) && (searched_ || !search_all)) return;
   position_ = position;
   searched_ = search_all;
@@ -242,6 +243,7 @@ bool ContactInterface::augment(const PerSide<SurfaceFields>& fields) {
 UndetectedPenetration ContactInterface::check_penetration(const PerSide<SurfaceFields>& fields) {
   check_.undetected = {};
   if (settings_.two_pass || !effects_.traction || mesh_[Side::primary].may_meet_itself()) return {};
+  if (are_all_joined(mesh_[Side::primary])) return {};
   const TaskClock timed = measurements_.clock(Task::augmentation);
   const NodeFlags in_contact = passes_.front().integral->flux_coupled();
   const IndexedVector<FacingNode> nodes = facing_nodes(passes_.front(), mesh_, position_, in_contact, settings_);

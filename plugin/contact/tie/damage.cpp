@@ -18,17 +18,32 @@ struct Advance {
 struct Bond {
   const Tie& tie;
   const TieLoads& loads;
-  Index node;        ///< index of the tied node
-  Vector3d normal;   ///< unit normal out of the primary body
+  Index node;       ///< index of the tied node
+  Vector3d normal;  ///< unit normal out of the primary body
+  /// Mean traction around the node, the force that the tie exerts with psi_a per area [MPa].
+  Vector3d traction;
   double error = 0;  ///< largest relative error of the traction [-]
 };
+
+/// The mean tractions around the tied nodes, one column per tied node [MPa]. The tractions t_a of TieLoads are
+/// coefficients of the acting traction, the sum of t_a psi_a, and exceed its mean where it varies from node to node.
+Matrix3Xd mean_tractions(const Tie& tie, const TieLoads& loads) {
+  Matrix3Xd coefficients = Matrix3Xd::Zero(3, tie.mesh()[Side::primary].nodes);
+  for (Index n = 0; n < tie.nodes().count(); ++n) coefficients.col(tie.nodes()[n].node) = loads.traction.col(n);
+  Matrix3Xd means = Matrix3Xd::Zero(3, tie.nodes().count());
+  for (Index n = 0; n < tie.nodes().count(); ++n) {
+    const TiedNode& tied = tie.nodes()[n];
+    for (Index b = 0; b < tied.primary.count(); ++b)
+      means.col(n) += tied.primary_shares[b] * coefficients.col(tied.primary[b]);
+  }
+  return means;
+}
 
 Advance advance(const Unbreakable& /*law*/, const Bond& /*bond*/) { return {0, {}, 0}; }
 
 Advance advance(const Brittle& law, const Bond& bond) {
-  const Vector3d traction = bond.loads.traction.col(bond.node);
-  if (bond.error >= 1 || !exceeds(law, (1 - bond.error) * traction, bond.normal)) return {0, {}, 0};
-  return {1, {0.5 * traction.dot(bond.loads.gap.col(bond.node)), 0}, 0};
+  if (bond.error >= 1 || !exceeds(law, (1 - bond.error) * bond.traction, bond.normal)) return {0, {}, 0};
+  return {1, {0.5 * bond.loads.traction.col(bond.node).dot(bond.loads.gap.col(bond.node)), 0}, 0};
 }
 
 Advance advance(const Cohesive& law, const Bond& bond) {
@@ -47,10 +62,11 @@ Advance advance(const Cohesive& law, const Bond& bond) {
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time, double error) {
   DamageState next = tie.state().damage;
   const TieLoads loads = tie.loads(fields);
+  const Matrix3Xd tractions = mean_tractions(tie, loads);
   const FacingPositions x{fields[Side::primary].position, fields[Side::secondary].position};
   for (Index n = 0; n < next.damage.size(); ++n) {
     if (next.is_broken(n)) continue;
-    const Bond bond{tie, loads, n, normal_of(tie.nodes()[n], x), error};
+    const Bond bond{tie, loads, n, normal_of(tie.nodes()[n], x), tractions.col(n), error};
     const Advance step = std::visit([&](const auto& law) { return advance(law, bond); }, tie.breaking());
     next.damage[n] = step.damage;
     next.energy[n] += step.energy.by_damage;

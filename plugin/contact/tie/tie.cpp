@@ -189,6 +189,7 @@ template <class Values, class Make, class Use>
 void Tie::for_each_part(const Make& make, const Use& use) const {
   const Index parts = effects_.scalar_fields() + 1;  // number of parts of a node: its traction, then its fluxes
   const auto exists = [&](Index n, Index part) {
+    if (state_.damage.is_broken(n) && !has_unknown_multipliers()) return false;
     return part == 0 ? effects_.traction : nodes_[n].exchanges(indexing::as_int(part - 1));
   };
   in_order(
@@ -347,6 +348,12 @@ void Tie::set_unknowns(const VectorXd& values) {
       if (nodes_[n].exchanges(k)) state_.flux(k, n) = flux_unit(penalties_, k, nodes_[n].node) * values[unknown(n, k)];
     }
   }
+}
+
+bool couples_directions(const Tie& tie) {
+  const auto keeps_gap = [](const TiedNode& tied) { return !tied.gaps.empty(); };
+  return std::holds_alternative<Cohesive>(tie.breaking()) ||
+         std::any_of(tie.nodes().begin(), tie.nodes().end(), keeps_gap);
 }
 
 }  // namespace mixture_contact

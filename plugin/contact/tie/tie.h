@@ -74,7 +74,8 @@ class Tie {
   Patch patch(Index n) const;
   /// The unknowns on which a node's flux of a field depends.
   Patch patch(Index n, int field) const;
-  /// Calls use(patch) for the traction and for each flux of all nodes.
+  /// Calls use(patch) for the traction and for each flux of all nodes that couple the surfaces. A broken node does so
+  /// only by the equations of its multipliers, if they are unknowns.
   void for_each_patch(const std::function<void(const Patch&)>& use) const;
 
   /// The gaps and loads of all tied nodes at a state.
@@ -126,5 +127,9 @@ class Tie {
   Penalties penalties_;  ///< penalties per node of the primary surface
   TieState state_;
 };
+
+/// True if forces of one direction depend on displacements of others: with kept gaps, which turn with the bodies, and
+/// with cohesive bonds. Otherwise each direction has a tangent of its own.
+bool couples_directions(const Tie& tie);
 
 }  // namespace mixture_contact

@@ -44,7 +44,7 @@ struct GapOfPoint {
 struct SumsOfNode {
   Sums all;
   IndexedVector<Sums> fields;
-  Weights secondary_areas;
+  PerSide<Weights> areas;  ///< integrals of psi_a psi_b over the nodes b of both surfaces
   IndexedVector<GapOfPoint> gaps;
 };
 
@@ -61,8 +61,8 @@ void add_gap(IndexedVector<GapOfPoint>& gaps, const FacetPair& pair, const Facet
 /// A point of a pair with its kinematics and the weights of the nodes of both facets.
 struct PlacedPoint {
   PointKinematics kinematics;
-  FacetVector shares;            ///< quadrature weight times |a| psi_a, per primary node
-  FacetVector secondary_shares;  ///< shape functions of the secondary facet
+  FacetVector shares;        ///< quadrature weight times |a| psi_a, per primary node
+  PerSide<FacetVector> psi;  ///< functions psi of the nodes of both facets
 };
 
 PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
@@ -73,8 +73,9 @@ PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const Integr
   found.kinematics = point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, x[Side::primary]),
                                       shape_functions(two.type, place.eta), facet_coordinates(two, x[Side::secondary]));
   const double area = place.weight * found.kinematics.area;
-  found.shares = area * space.shape(pair.primary, place.sub_facet, place.xi).value;
-  found.secondary_shares = multiplier_functions(two.type, sub_facet_at(two.type, place.eta), place.eta).value;
+  found.psi[Side::primary] = space.shape(pair.primary, place.sub_facet, place.xi).value;
+  found.shares = area * found.psi[Side::primary];
+  found.psi[Side::secondary] = multiplier_functions(two.type, sub_facet_at(two.type, place.eta), place.eta).value;
   return found;
 }
 
@@ -92,7 +93,10 @@ void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Mat
       SumsOfNode& sums = nodes[one.node(a)];
       sums.all.add(share, one, two, point.kinematics);
       for (const int field : fields) sums.fields[field].add(share, one, two, point.kinematics);
-      for (Index b = 0; b < two.count(); ++b) sums.secondary_areas[two.node(b)] += share * point.secondary_shares[b];
+      for (Index b = 0; b < one.count(); ++b)
+        sums.areas[Side::primary][one.node(b)] += share * point.psi[Side::primary][b];
+      for (Index b = 0; b < two.count(); ++b)
+        sums.areas[Side::secondary][two.node(b)] += share * point.psi[Side::secondary][b];
       const double gap = point.kinematics.gap;
       if (std::abs(gap) > rounding) add_gap(sums.gaps, pair, one, point.kinematics, share * gap);
     }
@@ -129,6 +133,11 @@ PlaceOnFacet place_on(const Facet& facet, const FacetGradient& gradient, const I
   return place;
 }
 
+/// The fractions of a node's area that belong to other nodes, in the order of `nodes`.
+VectorXd shares_in(const Weights& areas, const IndexedVector<int>& nodes, double area) {
+  return VectorXd::NullaryExpr(nodes.count(), [&](Index n) { return weight_in(areas, nodes[n]) / area; });
+}
+
 TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary) {
   TiedNode tied;
   tied.node = node;
@@ -136,9 +145,8 @@ TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary)
   tied.secondary = numbers_in(sums.all.weights[Side::secondary]);
   tied.traction = average_of(sums.all, tied);
   for (const Sums& of_field : sums.fields) tied.fields.push_back(average_of(of_field, tied));
-  tied.secondary_shares.resize(tied.secondary.count());
-  for (Index n = 0; n < tied.secondary.count(); ++n)
-    tied.secondary_shares[n] = weight_in(sums.secondary_areas, tied.secondary[n]) / sums.all.area;
+  tied.primary_shares = shares_in(sums.areas[Side::primary], tied.primary, sums.all.area);
+  tied.secondary_shares = shares_in(sums.areas[Side::secondary], tied.secondary, sums.all.area);
   for (const GapOfPoint& gap : sums.gaps) {
     tied.gaps.push_back({place_on(primary.facets[gap.facet], gap.gradient, tied.primary), gap.sum / sums.all.area});
   }

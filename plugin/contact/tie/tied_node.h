@@ -40,6 +40,9 @@ struct TiedNode {
   /// Average of the displacement jump.
   TiedAverage traction;
   IndexedVector<TiedAverage> fields;  ///< averages of the jumps of the exchanged scalar fields
+  /// Means of the functions psi_b of the primary nodes with the weight psi_a, INT psi_a psi_b dA divided by the area;
+  /// they add up to one.
+  VectorXd primary_shares;
   VectorXd secondary_shares;    ///< fractions of the node's area that belong to the secondary nodes; they add up to one
   IndexedVector<KeptGap> gaps;  ///< kept gaps of the points; empty if the surfaces touch
   /// The node as a point of each facet around it, for its normal; empty if no law requires the normal.

@@ -48,6 +48,8 @@ void FEBioSystem::form_matrix() const {
 
 void FEBioSystem::renew_residual() const { solver_.febio()->Residual(solver_.febio()->m_R0); }
 
+void FEBioSystem::keep_profile() const { solver_.febio()->m_breshape = false; }
+
 MatrixStrategy FEBioSystem::strategy() const {
   const FENewtonSolver* const solver = solver_.febio();
   const FENewtonStrategy* const strategy = solver == nullptr ? nullptr : solver->m_qnstrategy;

@@ -42,6 +42,10 @@ class FEBioSystem {
   /// Evaluates the residual at the present state again.
   void renew_residual() const;
 
+  /// Makes FEBio use the profile of the present matrix for the next one too. In a model with contacts, FEBio otherwise
+  /// builds a new profile for each matrix.
+  void keep_profile() const;
+
   // FEBio's decisions to assemble a matrix.
   MatrixStrategy strategy() const;
   /// The number of matrices that FEBio has assembled in this step.

@@ -56,8 +56,9 @@ void find_places(const Row& row, const std::vector<Column>& order, int offset, s
     if (places[k] < row.length && row.columns[places[k]] == wanted) {
       place = places[k];
     } else {
-      while (place < row.length && row.columns[place] != wanted) ++place;
-      if (place == row.length) throw std::logic_error("an entry of a contact's tangent is not in the matrix profile");
+      place = static_cast<int>(std::lower_bound(row.columns + place, row.columns + row.length, wanted) - row.columns);
+      if (place == row.length || row.columns[place] != wanted)
+        throw std::logic_error("an entry of a contact's tangent is not in the matrix profile");
       places[k] = place;
     }
   }

@@ -1038,3 +1038,18 @@ BOOST_AUTO_TEST_CASE(where_bodies_are_one_nothing_crosses_and_no_ambient_acts) {
   find_joined_nodes(scene.mesh, numbers);
   BOOST_TEST(scene.mesh[Side::primary].joined.empty());
 }
+
+BOOST_AUTO_TEST_CASE(joined_surfaces_have_no_pairs_until_a_node_is_free) {
+  const Scene scene = uniform_scene(FacetType::quad4, FacetType::quad4, false);
+  const auto contact = scene.contact();
+  PerSide<NodeFlags> joined{
+      {NodeFlags(scene.mesh[Side::primary].nodes, true), NodeFlags(scene.mesh[Side::secondary].nodes, true)}};
+  join(*contact, joined);
+  contact->project(scene.position());
+  BOOST_TEST(contact->pass(0).pairs().empty());
+  BOOST_TEST(contact->check_penetration(scene.fields).nodes == 0);
+  joined[Side::primary][0] = false;
+  join(*contact, joined);
+  contact->project(scene.position(), ContactInterface::Search::same_facets);
+  BOOST_TEST(!contact->pass(0).pairs().empty());
+}

@@ -8,8 +8,10 @@
 #include <omp.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <variant>
 
 using namespace test;
 
@@ -26,6 +28,26 @@ BOOST_AUTO_TEST_CASE(the_tangent_is_the_derivative_of_the_residual) {
         tied.set_random_multipliers(random);
         check_tangent(tied, random);
       }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(kept_gaps_and_cohesive_bonds_alone_couple_directions) {
+  const Cohesive cohesive{{{0.01, 0.02}, 2}, {0.002, 0.003}};
+  for (const double gap : {0.0, 0.1}) {
+    for (const BreakingLaw& law : {BreakingLaw(), BreakingLaw(Brittle{{0.5, 0.5}}), BreakingLaw(cohesive)}) {
+      std::mt19937 random(7);
+      TiedScene tied(FacetType::quad4, FacetType::tri3, gap, Enforcement::penalty, {1, 1}, law);
+      tied.scene.disturb(0.02, random);
+      const MatrixXd tangent = tied.tangent();
+      double across = 0;
+      for (Index i = 0; i < tied.nodal_size(); ++i) {
+        for (Index j = 0; j < tied.nodal_size(); ++j) {
+          if (i % 5 != j % 5) across = std::max(across, std::abs(tangent(i, j)));
+        }
+      }
+      BOOST_TEST(couples_directions(*tied.tie) == (gap > 0 || std::holds_alternative<Cohesive>(law)));
+      BOOST_TEST((across > 0) == couples_directions(*tied.tie));
     }
   }
 }
