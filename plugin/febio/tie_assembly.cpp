@@ -137,26 +137,22 @@ class Batch {
 /// The entries that the tangents of a tie's patches have.
 class TangentEntries {
  public:
-  /// Keeps a reference to the equations.
-  TangentEntries(const Tie& tie, const NodeEquations& equations, FEModel& fem)
-      : equations_(equations),
-        couples_directions_(couples_directions(tie)),
-        is_constrained_(has_linear_constraints(fem)) {}
+  TangentEntries(const Tie& tie, FEModel& fem)
+      : couples_directions_(couples_directions(tie)), is_constrained_(has_linear_constraints(fem)) {}
 
   /// True if the tangent of a patch may have any entry. FEBio distributes rigid bodies and linear constraints over the
-  /// equations of all directions.
-  bool are_all(const Patch& patch) const {
-    return (patch.displacements && couples_directions_) || is_constrained_ || equations_.are_rigid(at_primary(patch));
+  /// equations of all directions. `is_rigid`: whether the patch has nodes of a rigid body.
+  bool are_all(const Patch& patch, bool is_rigid) const {
+    return (patch.displacements && couples_directions_) || is_constrained_ || is_rigid;
   }
-  std::vector<Entries> of(const Patch& patch) const {
+  std::vector<Entries> of(const Patch& patch, bool is_rigid) const {
     const LocalLayout layout = patch.layout();
-    if (!are_all(patch)) return by_directions(layout);
+    if (!are_all(patch, is_rigid)) return by_directions(layout);
     const IndexedVector<Index> all = counted(0, layout.size(), 1);
     return {{all, all}};
   }
 
  private:
-  const NodeEquations& equations_;
   bool couples_directions_;
   bool is_constrained_;
 };
@@ -180,14 +176,14 @@ NodeEquations TieAssembly::equations_of(const Tie& tie) const {
 
 void TieAssembly::add_to_profile(const Tie& tie, FEGlobalMatrix& matrix) const {
   const NodeEquations equations = equations_of(tie);
-  const TangentEntries entries(tie, equations, dofs_.fem());
+  const TangentEntries entries(tie, dofs_.fem());
   SparseMatrixProfile& profile = *matrix.GetSparseMatrixProfile();
   newton::CoupledBlocks blocks(profile.Columns());
   tie.for_each_patch([&](const Patch& patch) {
     // FEBio couples all unknowns of a rigid body's nodes with each other.
     const bool is_rigid = equations.are_rigid(at_primary(patch));
     const std::vector<int> ids = equations.coupled(at_primary(is_rigid ? with_displacements(patch) : patch));
-    if (entries.are_all(patch)) return blocks.add(ids);
+    if (entries.are_all(patch, is_rigid)) return blocks.add(ids);
     for (const Entries& part : by_directions(patch.layout()))
       blocks.add_rows(equations_at(ids, part.rows), equations_at(ids, part.columns));
   });
@@ -208,13 +204,14 @@ void TieAssembly::tangent(const Tie& tie, FELinearSystem& system, FEGlobalMatrix
   const NodeEquations equations = equations_of(tie);
   const PerSide<SurfaceFields> fields = fields_of(dofs_, tie.effects());
   const RigidShellBottoms arms(dofs_.surfaces());
-  const TangentEntries entries(tie, equations, dofs_.fem());
+  const TangentEntries entries(tie, dofs_.fem());
   Batch batch(matrix);
   const bool takes_blocks = batch && !has_linear_constraints(dofs_.fem());
   tie.tangent(fields, dt, softening, [&](const Patch& patch, const MatrixXd& values) {
     const std::vector<int> ids = equations.equations(at_primary(patch));
-    const bool is_direct = takes_blocks && !are_prescribed(ids) && !equations.are_rigid(at_primary(patch));
-    for (const Entries& part : entries.of(patch)) {
+    const bool is_rigid = equations.are_rigid(at_primary(patch));
+    const bool is_direct = takes_blocks && !are_prescribed(ids) && !is_rigid;
+    for (const Entries& part : entries.of(patch, is_rigid)) {
       if (is_direct) {
         batch.add(ids, values, part);
       } else {

@@ -9,6 +9,7 @@ from harness.conversion import convert
 from harness.run import engine
 from studies.models.small import Document, Parts, contact, control, curve, elastic, fixed, moved
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES
+from studies.synthetic_scenes.varied_scenes import SCENES as VARIED
 
 pytestmark = pytest.mark.mixture_only
 
@@ -55,6 +56,16 @@ def test_points_that_overlap_hold_a_rigid_body_at_the_first_attempt(runner, tmp_
     """A sphere under a force: its lowest points overlap, and averages around the nodes are open."""
     path = tmp_path / "converted.feb"
     path.write_bytes(convert.convert(SCENES[name].write(name, tmp_path)).data)
+    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
+    assert found.report.normal, found.report.errors
+    assert SAID not in found.output
+    assert found.report.retries == 0
+
+
+def test_points_that_overlap_hold_a_rigid_body_in_two_passes(runner, tmp_path):
+    """The averages around the nodes of both surfaces are open."""
+    path = tmp_path / "converted.feb"
+    path.write_bytes(convert.convert(VARIED["seed-046"].write("punch", tmp_path)).data)
     found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
     assert found.report.normal, found.report.errors
     assert SAID not in found.output

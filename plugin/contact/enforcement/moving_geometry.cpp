@@ -37,10 +37,10 @@ void add_tractions(const GeometricParts& units, const AddBlock& add) {
 
 /// True if a step begins with contact at all nodes around points that overlap. `any_in_contact`: whether any node is in
 /// contact by its average gap. If both surfaces have conditions, contact on either surface is sufficient to hold the
-/// bodies.
-bool closes_overlapped(const NodalLaws& laws, bool any_in_contact) {
+/// bodies; `other_holds`: whether the other surface may hold them.
+bool closes_overlapped(const NodalLaws& laws, bool any_in_contact, bool other_holds) {
   if (laws.close_overlapped) return !(laws.has_twin() && any_in_contact);
-  return laws.holds_rigid_body && !laws.has_twin() && !any_in_contact;
+  return laws.holds_rigid_body && !any_in_contact && !other_holds;
 }
 
 /// True if two states of an iteration have the same status. `predicted`: whether an iteration predicted the loads
@@ -113,7 +113,7 @@ NodeFlags MovingGeometry::updated_status(const NodalLoads& now, const NodalGaps&
   return point_ ? parts_.active_set.updated(parts_.laws, now, gaps) : parts_.active_set.initial(parts_.laws, gaps);
 }
 
-NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps) const {
+NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGaps& gaps, bool other_holds) const {
   NodeFlags status = updated_status(now, gaps);
   // After an augmentation, the trial of a node is about twice its load minus the previous multiplier, and does not show
   // whether the node is in contact. Nodes with a compressive multiplier therefore stay in contact until an iteration
@@ -122,7 +122,7 @@ NodeFlags MovingGeometry::beginning_status(const NodalLoads& now, const NodalGap
     status[node] = status[node] || (gaps.faces(node) && parts_.laws.multipliers.traction[node] < 0);
   }
   const bool begins = !point_ && !augmented_ && !parts_.active_set.is_restricted();
-  if (!begins || !closes_overlapped(parts_.laws, any(status))) return status;
+  if (!begins || !closes_overlapped(parts_.laws, any(status), other_holds)) return status;
   const bool is_free = parts_.laws.close_overlapped && !any(status);
   NodeFlags touching = overlapped_nodes(parts_.space);
   if (is_free && !any(touching)) touching = nearest_nodes(parts_.space);
@@ -137,7 +137,7 @@ bool MovingGeometry::find_points(const FacingPositions& x) {
   return finds_more;
 }
 
-bool MovingGeometry::begin_iteration(const FacingFields& fields) {
+bool MovingGeometry::begin_iteration(const FacingFields& fields, bool other_holds) {
   const bool predicted = point_.has_value();
   const bool finds_more = find_points(positions(fields));
   const NodalLoads before = loads(fields);
@@ -146,8 +146,8 @@ bool MovingGeometry::begin_iteration(const FacingFields& fields) {
     return predicted ? parts_.active_set.next_friction(parts_.laws, before, now) : initial_friction(parts_.laws, now);
   };
   NodalGaps gaps = parts_.space.gaps();
-  ContactStatus status = parts_.active_set.next(parts_.laws, before.in_contact, beginning_status(before, gaps),
-                                                predicted);
+  ContactStatus status = parts_.active_set.next(parts_.laws, before.in_contact,
+                                                beginning_status(before, gaps, other_holds), predicted);
   LinearisationPoint next = evaluated_at(fields, parts_.space.averages(std::move(gaps), fields, std::move(status)),
                                          decide, predicted ? &before : nullptr);
   set_geometric_loads(next, before);

@@ -17,10 +17,11 @@ class MovingGeometry : public ContactGeometry {
 
   /// Begins a Newton iteration at a state: decides which nodes are in contact (see ActiveSet), and linearises their
   /// gaps and jumps. Both are kept until the next call: in the iteration and its line search, loads are linear in the
-  /// unknowns and no status changes.
+  /// unknowns and no status changes. `other_holds`: whether nodes of the other surface may hold the bodies at the start
+  /// of a step.
   ///
   /// Returns true if the loads at this state differ from those before the call.
-  bool begin_iteration(const FacingFields& fields);
+  bool begin_iteration(const FacingFields& fields, bool other_holds);
   /// Begins at a state without a tangent, as in explicit dynamics: decides which nodes are in contact by the true laws,
   /// and keeps the loads of this state for residuals.
   void hold_loads(const FacingFields& fields);
@@ -68,7 +69,7 @@ class MovingGeometry : public ContactGeometry {
   /// The averages at a state, with the status with which iterations begin.
   NodalLoads initial_averages(const FacingFields& fields) const;
   /// The contact status with which an iteration begins (see begin_iteration()). `now`: present loads.
-  NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps) const;
+  NodeFlags beginning_status(const NodalLoads& now, const NodalGaps& gaps, bool other_holds) const;
   /// Sets the loads in the geometric part of the tangent for an iteration. `before`: loads before its start.
   void set_geometric_loads(LinearisationPoint& next, const NodalLoads& before);
   /// Calls `use` with the couplings of pairs in contact that those of nodes do not include.

@@ -147,8 +147,11 @@ void ContactInterface::exchange_traction(bool traction) {
 bool ContactInterface::begin_iteration(const PerSide<SurfaceFields>& fields) {
   TaskClock timed = measurements_.clock(Task::stiffness);
   bool changed = false;
+  // The first of two surfaces with conditions leaves bodies that no node holds to the second one.
+  bool other_holds = pass(0).laws().has_twin();
   for_each_moving(*this, [&](Side side, MovingGeometry& moving) {
-    changed = moving.begin_iteration(seen_from(side, fields)) || changed;
+    changed = moving.begin_iteration(seen_from(side, fields), other_holds) || changed;
+    other_holds = any(moving.flux_coupled());
   });
   for (const SidedPass& pass : passes_) timed.take(pass.integral->space().effect_times(), thread_count());
   measurements_.note(memory_of(passes_));

@@ -62,7 +62,8 @@ std::vector<double> solution_with(const std::vector<Condition>& conditions, Bord
 
 void KeptMatrix::formed(const MatrixParts& parts) {
   // FEBio has met the request, if there was one.
-  if (std::exchange(is_requested_, false) && leaves_too_much()) ++served_.spent;
+  const bool was_requested = std::exchange(is_requested_, false);
+  if (was_requested && served_.leave_too_much(norm(system_.solver().vectors().residual))) ++served_.spent;
   begin();
   prepare({}, parts);
 }
@@ -106,16 +107,15 @@ void KeptMatrix::begin() {
   may_correct_ = true;
 }
 
-bool KeptMatrix::leaves_too_much() {
-  const double left = norm(system_.solver().vectors().residual);
-  const double before = std::exchange(served_.left, left);
-  const bool has_been_corrected = served_.iterations > 0;
-  return has_been_corrected && left > most_left * before;
+bool KeptMatrix::Served::leave_too_much(double residual) {
+  const double before = std::exchange(left, residual);
+  const bool has_been_corrected = iterations > 0;
+  return has_been_corrected && residual > most_left * before;
 }
 
 bool KeptMatrix::is_spent() {
   follow();
-  const bool is_spent = leaves_too_much() && system_.may_form_matrix();
+  const bool is_spent = served_.leave_too_much(norm(system_.solver().vectors().residual)) && system_.may_form_matrix();
   if (is_spent) ++served_.spent;
   return is_spent;
 }

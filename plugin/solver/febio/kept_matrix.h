@@ -79,6 +79,9 @@ class KeptMatrix {
     int iterations = 0;  ///< number of iterations up to the last one that was corrected
     double left = 0;     ///< norm of the residual after the last iteration; 0 before any
     int spent = 0;       ///< number of matrices in this step with which corrections left too much of the residual
+
+    /// True if the last iteration was corrected and has left too much of the residual. Notes the norm of the residual.
+    bool leave_too_much(double residual);
   };
   /// Properties of the model's matrices that have been found so far.
   struct Found {
@@ -88,9 +91,6 @@ class KeptMatrix {
   /// Detects a new matrix that FEBio has assembled without an announcement, as after augmentations, by FEBio's count of
   /// matrices in the step. Returns true if there is one.
   bool follow();
-  /// True if the last iteration was corrected and has left too much of the residual. Notes the residual for the next
-  /// iteration.
-  bool leaves_too_much();
   /// Resets the data of the last matrix.
   void begin();
   /// Changes FEBio's right-hand side such that the next solution meets conditions and includes the deferred parts.
