@@ -36,6 +36,12 @@ def _run(folder, gap: float, pressure: float, boundary=()):
     return febio_runs.run(path, plugin=engine.required_plugin(), check=False)
 
 
+def _run_converted(scene, folder):
+    path = folder / "converted.feb"
+    path.write_bytes(convert.convert(scene.write("scene", folder)).data)
+    return febio_runs.run(path, plugin=engine.required_plugin(), check=False)
+
+
 def test_an_open_contact_that_should_hold_a_body_is_named(runner, tmp_path):
     found = _run(tmp_path, gap=0.1, pressure=0.01)
     assert not found.report.normal
@@ -51,22 +57,14 @@ def test_bodies_that_nearly_touch_come_into_contact_at_the_second_attempt(runner
     assert found.report.retries == 1
 
 
-@pytest.mark.parametrize("name", ["punch-incompressible", "punch-round-friction"])
-def test_points_that_overlap_hold_a_rigid_body_at_the_first_attempt(runner, tmp_path, name):
-    """A sphere under a force: its lowest points overlap, and averages around the nodes are open."""
-    path = tmp_path / "converted.feb"
-    path.write_bytes(convert.convert(SCENES[name].write(name, tmp_path)).data)
-    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
-    assert found.report.normal, found.report.errors
-    assert SAID not in found.output
-    assert found.report.retries == 0
-
-
-def test_points_that_overlap_hold_a_rigid_body_in_two_passes(runner, tmp_path):
-    """The averages around the nodes of both surfaces are open."""
-    path = tmp_path / "converted.feb"
-    path.write_bytes(convert.convert(VARIED["seed-046"].write("punch", tmp_path)).data)
-    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
+@pytest.mark.parametrize(
+    "scene",
+    [SCENES["punch-incompressible"], SCENES["punch-round-friction"], VARIED["seed-046"]],
+    ids=["punch-incompressible", "punch-round-friction", "in two passes"],
+)
+def test_points_that_overlap_hold_a_rigid_body_at_the_first_attempt(runner, tmp_path, scene):
+    """A sphere under a force: its lowest points overlap, and averages around the nodes with conditions are open."""
+    found = _run_converted(scene, tmp_path)
     assert found.report.normal, found.report.errors
     assert SAID not in found.output
     assert found.report.retries == 0
@@ -74,9 +72,7 @@ def test_points_that_overlap_hold_a_rigid_body_in_two_passes(runner, tmp_path):
 
 def test_points_that_overlap_keep_a_body_from_turning_at_the_second_attempt(runner, tmp_path):
     """A soft body that may turn about the one row of nodes whose averages overlap."""
-    path = tmp_path / "converted.feb"
-    path.write_bytes(convert.convert(SCENES["cam-soft-follower"].write("cam-soft-follower", tmp_path)).data)
-    found = febio_runs.run(path, plugin=engine.required_plugin(), check=False)
+    found = _run_converted(SCENES["cam-soft-follower"], tmp_path)
     assert found.report.normal, found.report.errors
     assert SAID not in found.output
     assert found.report.retries == 1

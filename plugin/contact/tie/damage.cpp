@@ -3,6 +3,7 @@
 #include "tie/gap_vector.h"
 
 #include <utility>
+#include <variant>
 
 namespace mixture_contact {
 namespace {
@@ -20,17 +21,19 @@ struct Bond {
   const TieLoads& loads;
   Index node;       ///< index of the tied node
   Vector3d normal;  ///< unit normal out of the primary body
-  /// Mean traction around the node, the force that the tie exerts with psi_a per area [MPa].
+  /// Traction that the strength of a brittle bond limits [MPa], see judged_tractions().
   Vector3d traction;
   double error = 0;  ///< largest relative error of the traction [-]
 };
 
-/// The mean tractions around the tied nodes, one column per tied node [MPa]. The tractions t_a of TieLoads are
-/// coefficients of the acting traction, the sum of t_a psi_a, and exceed its mean where it varies from node to node.
-Matrix3Xd mean_tractions(const Tie& tie, const TieLoads& loads) {
+/// The mean tractions around the tied nodes of a brittle tie, which are the forces that it exerts with psi_a per area,
+/// one column per tied node [MPa]. The tractions t_a of TieLoads are coefficients of the acting traction, the sum of
+/// t_a psi_a, and exceed its mean where it varies from node to node. Other laws need no mean: their tractions are 0.
+Matrix3Xd judged_tractions(const Tie& tie, const TieLoads& loads) {
+  Matrix3Xd means = Matrix3Xd::Zero(3, tie.nodes().count());
+  if (!std::holds_alternative<Brittle>(tie.breaking())) return means;
   Matrix3Xd coefficients = Matrix3Xd::Zero(3, tie.mesh()[Side::primary].nodes);
   for (Index n = 0; n < tie.nodes().count(); ++n) coefficients.col(tie.nodes()[n].node) = loads.traction.col(n);
-  Matrix3Xd means = Matrix3Xd::Zero(3, tie.nodes().count());
   for (Index n = 0; n < tie.nodes().count(); ++n) {
     const TiedNode& tied = tie.nodes()[n];
     for (Index b = 0; b < tied.primary.count(); ++b)
@@ -62,7 +65,7 @@ Advance advance(const Cohesive& law, const Bond& bond) {
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time, double error) {
   DamageState next = tie.state().damage;
   const TieLoads loads = tie.loads(fields);
-  const Matrix3Xd tractions = mean_tractions(tie, loads);
+  const Matrix3Xd tractions = judged_tractions(tie, loads);
   const FacingPositions x{fields[Side::primary].position, fields[Side::secondary].position};
   for (Index n = 0; n < next.damage.size(); ++n) {
     if (next.is_broken(n)) continue;
