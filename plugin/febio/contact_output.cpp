@@ -9,14 +9,7 @@ using namespace mixture_contact;
 void ContactOutput::store(const BoundContact& contact) {
   const ContactInterface& core = contact.core();
   const TaskClock timed = core.measurements().clock(Task::output);
-  const std::vector<int> exchanged = exchanged_solutes(core.effects());
-  const InterfaceOutput out = output(core, contact.fields());
-  Balance total = out.balance;
-  contact.surfaces()[Side::primary].store_output(out.nodes[Side::primary], total, exchanged);
-  total.force = -total.force;
-  total.friction = -total.friction;
-  total.flow = -total.flow;
-  contact.surfaces()[Side::secondary].store_output(out.nodes[Side::secondary], total, exchanged);
+  contact.surfaces().store_output(output(core, contact.fields()), core.effects());
   warn_of_overlap(contact);
 }
 

@@ -1,6 +1,7 @@
 #include "contact_surfaces.h"
 
 #include "contact/base/parallel.h"
+#include "host/facet_material.h"
 
 #include <FECore/FEMesh.h>
 #include <FECore/FEModel.h>
@@ -90,4 +91,14 @@ void ContactSurfaces::relocate_primary(const Matrix3Xd& positions) {
     auto* domain = dynamic_cast<FESolidDomain*>(&mesh.Domain(i));
     if (domain != nullptr) domain->FESolidDomain::Init();
   }
+}
+
+void ContactSurfaces::store_output(const InterfaceOutput& out, const Effects& effects) {
+  const std::vector<int> exchanged = exchanged_solutes(effects);
+  Balance total = out.balance;
+  primary_.store_output(out.nodes[Side::primary], total, exchanged);
+  total.force = -total.force;
+  total.friction = -total.friction;
+  total.flow = -total.flow;
+  secondary_.store_output(out.nodes[Side::secondary], total, exchanged);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/interface/carried_state.h"
+#include "contact/interface/output.h"
 #include "mixture_surface.h"
 
 #include <vector>
@@ -33,6 +34,8 @@ class ContactSurfaces {
   PerSide<mixture_contact::Matrix3Xd> positions();
   /// Moves the nodes of the primary surface to these positions in the reference configuration.
   void relocate_primary(const mixture_contact::Matrix3Xd& positions);
+  /// Stores the output of a contact that exchanges these effects. Totals of the secondary surface have opposite signs.
+  void store_output(const mixture_contact::InterfaceOutput& out, const mixture_contact::Effects& effects);
 
  private:
   FEMixtureSurface primary_;

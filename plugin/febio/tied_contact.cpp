@@ -220,13 +220,7 @@ void FEMixtureTie::take_damage(DamageState damage) {
 void FEMixtureTie::store_output(const DamageState& damage) {
   InterfaceOutput out = output(*tie_, fields(), damage);
   if (sliding_ != nullptr) out = together(std::move(out), output(sliding().bound().core(), sliding().bound().fields()));
-  const std::vector<int> exchanged = exchanged_solutes(tie_->effects());
-  Balance total = out.balance;
-  surfaces_[Side::primary].store_output(out.nodes[Side::primary], total, exchanged);
-  total.force = -total.force;
-  total.friction = -total.friction;
-  total.flow = -total.flow;
-  surfaces_[Side::secondary].store_output(out.nodes[Side::secondary], total, exchanged);
+  surfaces_.store_output(out, tie_->effects());
 }
 
 // ------------------------------------------------------------ assembly and restarts
