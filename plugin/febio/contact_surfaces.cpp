@@ -36,6 +36,14 @@ ContactSurfaces::ContactSurfaces(FEModel& fem, FEContactInterface& contact) : pr
   secondary_.SetContactInterface(&contact);
 }
 
+bool ContactSurfaces::init(const ContactParameters& parameters) {
+  if (!primary_.Init() || !secondary_.Init()) return false;
+  for (const Side side : both_sides) {
+    if (parameters.surfaces[side].flip) (*this)[side].turn_round();
+  }
+  return true;
+}
+
 PerSide<std::string> ContactSurfaces::names() const { return {{primary_.GetName(), secondary_.GetName()}}; }
 
 int ContactSurfaces::common_facets() const {

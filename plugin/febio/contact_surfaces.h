@@ -3,6 +3,7 @@
 
 #include "contact/interface/carried_state.h"
 #include "contact/interface/output.h"
+#include "host/contact_parameters.h"
 #include "mixture_surface.h"
 
 #include <vector>
@@ -17,6 +18,9 @@ class ContactSurfaces {
   /// `contact`: contact that owns the surfaces.
   ContactSurfaces(FEModel& fem, FEContactInterface& contact);
 
+  /// Initialises both surfaces, and reverses the facets of a surface that <flip_primary> or <flip_secondary> names.
+  /// Returns false if FEBio rejects a surface.
+  bool init(const ContactParameters& parameters);
   FEMixtureSurface& operator[](Side side) { return side == Side::primary ? primary_ : secondary_; }
   const FEMixtureSurface& operator[](Side side) const { return side == Side::primary ? primary_ : secondary_; }
   FEModel& fem() { return *primary_.GetFEModel(); }

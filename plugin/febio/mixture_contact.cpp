@@ -69,12 +69,7 @@ bool FEMixtureContact::Init() {
   if (!setup_.check_parameters(properties_.ambient) || !wrong.empty()) return false;
   if (m_psf != 1 || m_psfmax != 0)
     bound_.log().say("<penalty_sf> and <max_penalty_sf> have no effect: AUGLAG raises penalties automatically.");
-  for (const Side side : both_sides) {
-    if (!surfaces_[side].Init()) return false;
-  }
-  for (const Side side : both_sides) {
-    if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
-  }
+  if (!surfaces_.init(parameters_)) return false;
   const bool sound = setup_.check_surfaces() && take_shell_bottoms(surfaces_, parameters_, bound_.log()) &&
                      setup_.check_mesh_adaptors() && setup_.build() && setup_.check_ambient(properties_.ambient);
   surfaces_.take_change();

@@ -29,11 +29,13 @@ bool close_gaps(const TieSetup& setup, ContactSurfaces& surfaces) {
   return before != nullptr;
 }
 
-/// True if all contacts of a model are ties, and nothing else makes FEBio renew the matrix profile. A tie that can
-/// break has a sliding contact.
+/// True if all contacts of a model are ties whose <solver_devices> allow it, and nothing else makes FEBio renew the
+/// matrix profile. A tie that can break has a sliding contact.
 bool has_constant_profile(FEModel& fem) {
   for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
-    if (dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i)) == nullptr) return false;
+    const auto* const tie = dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i));
+    if (tie == nullptr || !newton::has(newton::named_devices(tie->devices()).set, newton::Device::constant_profile))
+      return false;
   }
   return fem.NonlinearConstraints() == 0;
 }
@@ -74,7 +76,8 @@ bool FEMixtureTie::Init() {
   const std::vector<std::string> wrong = find_load_curves(
       *this, [this](const auto& take) { for_each_tie_parameter(parameters_, take); });
   log_.errors(wrong);
-  if (!wrong.empty() || !prepare_surfaces() || !setup_.check()) return false;
+  if (!wrong.empty() || !surfaces_.init(parameters_)) return false;
+  if (!take_shell_bottoms(surfaces_, parameters_, log_) || !setup_.check()) return false;
   if (parameters_.gap.node_reloc && !close_gaps(setup_, surfaces_)) return false;
   if (parameters_.breaking.max_traction.given) add_sliding_contact();
   return true;
@@ -102,14 +105,6 @@ void FEMixtureTie::give_parameters(ContactParameters& parameters, AmbientConcent
     ambient[n]->solute = ambient_concentrations_[n]->solute;
     ambient[n]->value = ambient_concentrations_[n]->value;
   }
-}
-
-bool FEMixtureTie::prepare_surfaces() {
-  for (const Side side : both_sides) {
-    if (!surfaces_[side].Init()) return false;
-    if (parameters_.surfaces[side].flip) surfaces_[side].turn_round();
-  }
-  return take_shell_bottoms(surfaces_, parameters_, log_);
 }
 
 int FEMixtureTie::InitEquations(int first) {
@@ -238,6 +233,7 @@ void FEMixtureTie::StiffnessMatrix(FELinearSystem& system, const FETimeInfo& tim
   if (!has_constant_profile(*GetFEModel())) return;
   newton::FEBioSolver present(*GetFEModel());
   newton::FEBioSystem(present).keep_profile();
+  log_.line_once(log_.title() + ": solver device constant_profile: FEBio makes the matrix profile once.");
 }
 
 void FEMixtureTie::serialize_model(DumpStream& ar) {

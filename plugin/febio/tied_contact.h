@@ -37,6 +37,8 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   FESurface* GetSecondarySurface() override { return &surfaces_[mixture_contact::Side::secondary]; }
   bool UseNodalIntegration() override { return false; }
 
+  /// <solver_devices>.
+  const std::string& devices() const { return parameters_.helpers.devices.value; }
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
   bool breaks_bonds(double error) override;
   void step_solved() override;
@@ -44,7 +46,6 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   void step_failed() override;
 
  private:
-  bool prepare_surfaces();
   void add_sliding_contact();
   FEMixtureContact& sliding() const { return static_cast<FEMixtureContact&>(*sliding_); }
   /// Sets the damage of the tie, and frees broken nodes for the sliding contact.

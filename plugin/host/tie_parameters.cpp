@@ -13,13 +13,12 @@ bool is_parameter_of_ties(const ParameterTag& tag) {
   constexpr std::array<std::string_view, 9> of_surfaces{
       "integration",    "integration_order",    "search_radius",         "search_tol", "node_reloc", "flip_primary",
       "flip_secondary", "shell_bottom_primary", "shell_bottom_secondary"};
-  if (tag.group == ParameterGroup::effects || tag.group == ParameterGroup::enforcement) return true;
+  if (std::string_view(tag.name) == "solver_devices" || tag.group == ParameterGroup::effects || tag.group == ParameterGroup::enforcement) return true;
   return std::find(of_surfaces.begin(), of_surfaces.end(), tag.name) != of_surfaces.end();
 }
 
 bool is_parameter_of_broken_nodes(const ParameterTag& tag) {
-  const bool is_switch = std::string_view(tag.name) == "solver_devices";
-  return is_switch || tag.group == ParameterGroup::friction || tag.group == ParameterGroup::ambient;
+  return tag.group == ParameterGroup::friction || tag.group == ParameterGroup::ambient;
 }
 
 mixture_contact::BreakingLaw breaking_law(const BreakingParameters& p, double time_step) {
@@ -75,7 +74,6 @@ void complain_of_sliding(std::vector<std::string>& list, const TieParameters& p)
   refuse(p.friction.fric_coeff.given, "<fric_coeff>");
   refuse(p.friction.contact_frac.given, "<contact_frac>");
   refuse(p.friction.tangential_penalty.given, "<tangential_penalty>");
-  refuse(p.helpers.devices.given, "<solver_devices>");
   refuse(p.has_ambient, "An ambient value");
 }
 

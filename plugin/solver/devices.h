@@ -18,6 +18,7 @@ enum class Device {
   loads_as_unknowns,  ///< nodal loads are additional unknowns of the matrix
   row_operations,     ///< multiples of the nodes' rows are added to the rows of their loads, which avoids small pivots
   deferred_coupling,  ///< couplings across the contact are not in the matrix and are included by stationary iteration
+  constant_profile,   ///< the profile of the matrix is made once where all contacts are ties
   kept_matrix,        ///< a matrix of a quasi-Newton method is reused although the contact changes
   active_set_prediction,        ///< nodes open and close by solutions with the matrix, before FEBio solves
   non_negative_concentrations,  ///< concentrations that FEBio would clamp to zero are solved as an inequality
@@ -27,8 +28,7 @@ enum class Device {
   predictor                     ///< a step begins at a predicted state
 };
 
-inline constexpr std::array device_names{"loads_as_unknowns", "row_operations",        "deferred_coupling",
-                                         "kept_matrix",       "active_set_prediction", "non_negative_concentrations",
+inline constexpr std::array device_names{"loads_as_unknowns", "row_operations", "deferred_coupling", "constant_profile", "kept_matrix", "active_set_prediction", "non_negative_concentrations",
                                          "line_search_guard", "residual_floor",        "search_after_failure",
                                          "predictor"};
 

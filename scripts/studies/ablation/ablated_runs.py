@@ -19,7 +19,7 @@ from studies.price import table
 SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"
 """Where the names of devices stand."""
 ALL, NONE = "all", "none"
-ACTED = re.compile(r"Number of actions of each solver device: (.*)\.$", re.MULTILINE)
+ACTED = re.compile(r"(?:Number of actions of each solver device|solver device): (.*)\.$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -92,13 +92,12 @@ def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) ->
             (folder / file.name).write_bytes(file.read_bytes())
     changed = feb.read(model)
     for contact in changed.contacts:
-        if contact.get("type") == InterfaceType.MIXTURE.value:
+        if contact.get("type") in (InterfaceType.MIXTURE.value, InterfaceType.TIED.value):
             etree.SubElement(contact, "solver_devices").text = left_out.others
     path = changed.write(folder)
     command = engine.limited(engine.Febio4().command(path, plugin=True), limit)
     done = engine.execute(command, folder, check=False)
     report = done.report
     log = path.with_suffix(".log").read_text(errors="replace")
-    acted = ACTED.search(log)
     counts = (report.iterations, report.retries, report.reformations, table.entries(log), done.cpu)
-    return Ablated(name, kind, left_out.what, report.normal, *counts, acted.group(1) if acted else "")
+    return Ablated(name, kind, left_out.what, report.normal, *counts, "; ".join(ACTED.findall(log)))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from studies.ablation import tied_scenes
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.price import joints
@@ -14,7 +15,7 @@ from studies.synthetic_scenes import all_scenes, comparison
 from studies.synthetic_scenes.comparison import Written
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 
-JOINT, HARD_CASE, SYNTHETIC, REPORT = "joint", "hard case", "synthetic scene", "reported scene"
+JOINT, HARD_CASE, SYNTHETIC, REPORT, TIE = "joint", "hard case", "synthetic scene", "reported scene", "tie"
 
 
 @dataclass(frozen=True)
@@ -24,7 +25,7 @@ class AblatedScene:
     Attributes
     ----------
     kind : str
-        `JOINT`, `HARD_CASE`, `SYNTHETIC` or `REPORT`.
+        `JOINT`, `HARD_CASE`, `SYNTHETIC`, `REPORT` or `TIE`.
     write : callable
         Writes the model into a folder, and returns its path.
     """
@@ -56,5 +57,6 @@ SCENES: Mapping[str, AblatedScene] = {
     **{f"{HARD_CASE}: {name}": AblatedScene(HARD_CASE, partial(_write_hard_case, name)) for name in CASES},
     **_converted(SYNTHETIC, all_scenes.SCENES),
     **_converted(REPORT, REPORTED),
+    **{f"{TIE}: {name}": AblatedScene(TIE, write) for name, write in tied_scenes.WRITERS.items()},
 }
 """By name."""

@@ -1,0 +1,85 @@
+"""Ties for the ablation: blocks that stay joined, and layers whose bonds break."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+from itertools import product
+from pathlib import Path
+
+from studies.models.small import fixed, moved
+from studies.synthetic_scenes.reported import words
+from studies.synthetic_scenes.reported.shapes import box, mapped
+from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.words import Material
+
+LOADS = {
+    "pulled": (("z", 0.1),),
+    "sheared": (("x", 0.2), ("z", 0.0)),
+    "lifted": (("x", 0.15), ("z", 0.1)),
+}
+"""Displacements (mm) of the top by direction."""
+
+
+@dataclass(frozen=True)
+class Tied:
+    """A layer on a block, joined across meshes that do not match.
+
+    Attributes
+    ----------
+    load : str
+        One of `LOADS`.
+    material : (str, str)
+        Of both bodies.
+    tie : str
+        Parameters of `tied-mixture`.
+    cells : int
+        Elements along the layer; the block has two fewer.
+    """
+
+    load: str
+    material: Material
+    tie: str
+    cells: int = 8
+
+    def sketch(self) -> Sketch:
+        """The model. One end of the layer is held if the load lifts the other."""
+        bodies = {
+            "block": mapped((self.cells - 2, 3, 3), box((0, 0, -0.5), (2, 0.5, 0))),
+            "layer": mapped((self.cells, 4, 2), box((0, 0, 0), (2, 0.5, 0.3))),
+        }
+        end = "layer-x0" if self.load == "lifted" else "layer-z1"
+        is_porous = self.material[0] == "biphasic"
+        drained = (words.drained("layer-z1"),) if is_porous else ()
+        return Sketch(
+            bodies,
+            dict.fromkeys(bodies, self.material),
+            (Touch("layer-z0", "block-z1", "tied-mixture", self.tie),),
+            (fixed("block-z0"), *(moved(end, dof, value) for dof, value in LOADS[self.load]), *drained),
+            Scheme(20, 0.05),
+            "biphasic" if is_porous else "solid",
+        )
+
+
+def _breaking(strength: float, energy: float) -> str:
+    return f"<max_traction>{strength:g}</max_traction><fracture_energy>{energy:g}</fracture_energy>"
+
+
+LASTING = {
+    f"{load}-{name}": Tied(load, material, "")
+    for load, (name, material) in product(LOADS, (("elastic", words.neo()), ("biphasic", words.biphasic())))
+}
+"""Ties that cannot break, by name."""
+BREAKING = {
+    f"{load}-{modulus:g}-MPa-{energy:g}-N-mm": Tied(load, words.neo(modulus), _breaking(0.05, energy))
+    for load, modulus, energy in product(LOADS, (1.0, 10.0), (1e-4, 1e-3))
+}
+"""Ties whose bonds soften and break, by name."""
+
+
+def _write(tied: Tied, folder: Path) -> Path:
+    return Drawn("ties", tied.sketch).write("ties", folder)
+
+
+WRITERS = {name: partial(_write, tied) for name, tied in {**LASTING, **BREAKING}.items()}
+"""Writes the model of a name into a folder, and returns its path."""
