@@ -13,7 +13,9 @@ bool is_parameter_of_ties(const ParameterTag& tag) {
   constexpr std::array<std::string_view, 9> of_surfaces{
       "integration",    "integration_order",    "search_radius",         "search_tol", "node_reloc", "flip_primary",
       "flip_secondary", "shell_bottom_primary", "shell_bottom_secondary"};
-  if (std::string_view(tag.name) == "solver_devices" || tag.group == ParameterGroup::effects || tag.group == ParameterGroup::enforcement) return true;
+  if (std::string_view(tag.name) == "solver_devices" || tag.group == ParameterGroup::effects ||
+      tag.group == ParameterGroup::enforcement)
+    return true;
   return std::find(of_surfaces.begin(), of_surfaces.end(), tag.name) != of_surfaces.end();
 }
 

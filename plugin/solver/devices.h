@@ -28,8 +28,16 @@ enum class Device {
   predictor                     ///< a step begins at a predicted state
 };
 
-inline constexpr std::array device_names{"loads_as_unknowns", "row_operations", "deferred_coupling", "constant_profile", "kept_matrix", "active_set_prediction", "non_negative_concentrations",
-                                         "line_search_guard", "residual_floor",        "search_after_failure",
+inline constexpr std::array device_names{"loads_as_unknowns",
+                                         "row_operations",
+                                         "deferred_coupling",
+                                         "constant_profile",
+                                         "kept_matrix",
+                                         "active_set_prediction",
+                                         "non_negative_concentrations",
+                                         "line_search_guard",
+                                         "residual_floor",
+                                         "search_after_failure",
                                          "predictor"};
 
 inline const char* name(Device device) { return indexing::at(device_names, static_cast<int>(device)); }

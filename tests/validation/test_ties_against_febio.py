@@ -72,3 +72,17 @@ def test_a_hundredth_of_the_jumps_in_as_many_iterations(solve, tmp_path, kind, c
     assert ours <= theirs
     assert matrix_profiles(tmp_path / "tied-mixture") == 1
     assert np.all(our_jumps <= 0.01 * their_jumps)
+
+
+def test_the_profile_is_a_device_with_a_switch(solve):
+    found = {}
+    for name, given in (("on", ""), ("off", "<solver_devices>none</solver_devices>")):
+        document, _ = column("solid", given, cells=(2, 3), kind="tied-mixture")
+        folder, _ = solve(name, by_default(document, "solid"))
+        log = (folder / "model.log").read_text(errors="replace")
+        found[name] = matrix_profiles(folder), log.count("constant_profile"), small.table(folder / "nodes.txt")
+    (profiles, acted, values), (others, silent, same) = found["on"], found["off"]
+    assert (profiles, acted) == (1, 1)
+    assert others > 1
+    assert silent == 0
+    assert np.array_equal(values, same)
