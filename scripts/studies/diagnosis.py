@@ -36,29 +36,19 @@ class FailureMode(str, Enum):
 
 @dataclass(frozen=True)
 class Attempt:
-    """One attempt at a time step.
-
-    Attributes
-    ----------
-    time : float
-        Where the step was to end, s.
-    residuals : tuple of float
-        Squared norm after each Newton iteration.
-    searches : tuple of float
-        Factor of the line search in each iteration.
-    unmet : tuple of str
-        Norms that still missed their tolerance in the last iteration.
-    converged : bool
-    error : str
-        FEBio's own words.
-    """
+    """One attempt at a time step."""
 
     time: float
+    """Where the step was to end, s."""
     residuals: tuple[float, ...]
+    """Squared norm after each Newton iteration."""
     searches: tuple[float, ...]
+    """Factor of the line search in each iteration."""
     unmet: tuple[str, ...]
+    """Norms that still missed their tolerance in the last iteration."""
     converged: bool
     error: str
+    """FEBio's own words."""
 
     @property
     def failure_mode(self) -> FailureMode:

@@ -24,33 +24,22 @@ ACTED = re.compile(r"Number of actions of each solver device: (.*)\.$", re.MULTI
 
 @dataclass(frozen=True)
 class Ablated:
-    """One run.
-
-    Attributes
-    ----------
-    scene, kind : str
-    without : str
-        The device that is left out, or ``nothing``, or ``any``.
-    ended : bool
-    iterations, retries, matrices : int
-    entries : int
-        The most of the matrix in the run.
-    time : float
-        Processor time of the run [s].
-    acted : str
-        How often devices acted.
-    """
+    """One run."""
 
     scene: str
     kind: str
     without: str
+    """The device that is left out, or ``nothing``, or ``any``."""
     ended: bool
     iterations: int
     retries: int
     matrices: int
     entries: int
+    """The most of the matrix in the run."""
     time: float
+    """Processor time of the run [s]."""
     acted: str
+    """How often devices acted."""
 
 
 @dataclass(frozen=True)

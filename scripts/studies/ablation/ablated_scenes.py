@@ -19,18 +19,12 @@ JOINT, HARD_CASE, SYNTHETIC, REPORT = "joint", "hard case", "synthetic scene", "
 
 @dataclass(frozen=True)
 class AblatedScene:
-    """A scene with the plugin's contact.
-
-    Attributes
-    ----------
-    kind : str
-        `JOINT`, `HARD_CASE`, `SYNTHETIC` or `REPORT`.
-    write : callable
-        Writes the model into a folder, and returns its path.
-    """
+    """A scene with the plugin's contact."""
 
     kind: str
+    """`JOINT`, `HARD_CASE`, `SYNTHETIC` or `REPORT`."""
     write: Callable[[Path], Path]
+    """Writes the model into a folder, and returns its path."""
 
 
 def _write_joint(scene: joints.Scene, folder: Path) -> Path:

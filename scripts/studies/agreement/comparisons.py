@@ -28,37 +28,25 @@ MESHES: Mapping[str, tuple[int, ...]] = dict.fromkeys(_SCENES, (1, 2, 3))
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity of one run, beside the reference.
-
-    Attributes
-    ----------
-    scene : str
-    fineness : int
-    interface : str
-        `FEBIO` or `OURS`.
-    quantity : str
-        A number with its unit, or a field.
-    value : float
-        Of a number; of a field its largest value in the reference.
-    error : float
-        Difference from the reference over it; of a field the largest one at any node of the coarsest mesh, over the
-        field's largest value.
-    mean, rms : float
-        Of a field: the mean of the differences, and the root of their mean square (L2), over the same.
-    apart : float
-        Half of the difference of both interfaces on the finest mesh, in the measure of `error`: what the reference is
-        not certain of.
-    """
+    """One quantity of one run, beside the reference."""
 
     scene: str
     fineness: int
     interface: str
+    """`FEBIO` or `OURS`."""
     quantity: str
+    """A number with its unit, or a field."""
     value: float
+    """Of a number; of a field its largest value in the reference."""
     error: float
+    """Difference from the reference over it; of a field the largest one at any node of the coarsest mesh, over the
+    field's largest value."""
     mean: float
     rms: float
+    """Of a field: the mean of the differences, and the root of their mean square (L2), over the same."""
     apart: float
+    """Half of the difference of both interfaces on the finest mesh, in the measure of `error`: what the reference is
+    not certain of."""
 
 
 def compare(name: str, folder: Path, limit: float, announce: Callable[[str], None]) -> list[Row]:

@@ -71,19 +71,12 @@ class Shape(Enum):
 
 @dataclass(frozen=True)
 class Contact:
-    """Layers in contact.
-
-    Attributes
-    ----------
-    layers : sequence of Layer
-        Of both bodies; one alone against a rigid impermeable body.
-    radius : float
-        R, mm, with 1/R the sum of both curvatures.
-    shape : Shape
-    """
+    """Layers in contact."""
 
     layers: Sequence[Layer]
+    """Of both bodies; one alone against a rigid impermeable body."""
     radius: float
+    """R, mm, with 1/R the sum of both curvatures."""
     shape: Shape = Shape.LINE
 
     @property

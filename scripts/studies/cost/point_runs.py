@@ -26,29 +26,7 @@ PAIRS = 3
 
 @dataclass(frozen=True)
 class Datum:
-    """What came of a point.
-
-    Attributes
-    ----------
-    problem, interface, parameter : str
-    value : float
-    ended : bool
-    contact_error : float
-        3.1, 3.2: largest difference of c from the conforming reference of the same mesh and steps, relative to c*; nan
-        for 3.3.
-    error : float
-        3.1, 3.2: largest error of c against the closed form, relative to c*. 3.3: largest relative difference
-        from the finest run, of the force and of the solute in both bodies at 1 and 100 s.
-    steps, iterations, residuals, retries : int
-    wall, cpu : float
-        Wall and processor time of one thread, s; medians of some runs, of 3.3 the wall time of one. On an idle machine
-        they agree.
-    cpu_low, cpu_high : float
-        Least and largest of the processor times of 3.3, s, of one run where that is not short; nan for 3.1 and 3.2.
-    ratio, ratio_low, ratio_high : float
-        Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in
-        turn; nan for 3.3.
-    """
+    """What came of a point."""
 
     problem: str
     interface: str
@@ -56,18 +34,27 @@ class Datum:
     value: float
     ended: bool
     contact_error: float
+    """3.1, 3.2: largest difference of c from the conforming reference of the same mesh and steps, relative to c*; nan
+    for 3.3."""
     error: float
+    """3.1, 3.2: largest error of c against the closed form, relative to c*. 3.3: largest relative difference from the
+    finest run, of the force and of the solute in both bodies at 1 and 100 s."""
     steps: int
     iterations: int
     residuals: int
     retries: int
     wall: float
     cpu: float
+    """Wall and processor time of one thread, s; medians of some runs, of 3.3 the wall time of one. On an idle machine
+    they agree."""
     cpu_low: float
     cpu_high: float
+    """Least and largest of the processor times of 3.3, s, of one run where that is not short; nan for 3.1 and 3.2."""
     ratio: float
     ratio_low: float
     ratio_high: float
+    """Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in turn;
+    nan for 3.3."""
 
 
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:

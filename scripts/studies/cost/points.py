@@ -82,15 +82,7 @@ VALUES_33: dict[Parameter, tuple[float, ...]] = {
 
 @dataclass(frozen=True)
 class Point:
-    """One run of the sweep.
-
-    Attributes
-    ----------
-    problem : Problem
-    interface : InterfaceType
-    parameter : Parameter
-    value : float
-    """
+    """One run of the sweep."""
 
     problem: Problem
     interface: InterfaceType

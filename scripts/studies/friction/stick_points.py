@@ -112,22 +112,7 @@ def points() -> list[Point]:
 
 @dataclass(frozen=True)
 class Datum:
-    """What came of a setting.
-
-    Attributes
-    ----------
-    problem, interface, parameter : str
-    value : float
-    ended : bool
-    error : float
-        Stick: largest difference of a displacement from the conforming reference, over the shear. Partial slip: error
-        of the half-width of the zone that sticks, relative to the closed form's, on a mesh whose own error is part of
-        it.
-    iterations, retries, augmentations : int
-    time, time_low, time_high : float
-        Processor time; stick: over that of the conforming reference, run in turn, where the run ended; else s. Median,
-        least and largest; of one run where that is not short.
-    """
+    """What came of a setting."""
 
     problem: str
     interface: str
@@ -135,12 +120,16 @@ class Datum:
     value: float
     ended: bool
     error: float
+    """Stick: largest difference of a displacement from the conforming reference, over the shear. Partial slip: error of
+    the half-width of the zone that sticks, relative to the closed form's, on a mesh whose own error is part of it."""
     iterations: int
     retries: int
     augmentations: int
     time: float
     time_low: float
     time_high: float
+    """Processor time; stick: over that of the conforming reference, run in turn, where the run ended; else s. Median,
+    least and largest; of one run where that is not short."""
 
 
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:

@@ -30,31 +30,22 @@ class End(str, Enum):
 
 @dataclass(frozen=True)
 class Attempt:
-    """A case that was run on one mesh with one interface.
-
-    Attributes
-    ----------
-    case, mesh, interface : str
-    ended : bool
-        Whether the run ended normally.
-    reached : float
-        Part of the case's time that was reached.
-    limited : bool
-        Whether the limit ended it.
-    steps, iterations, residuals, retries : int
-        Iterations and residuals are 0 where FEBio wrote no summary.
-    """
+    """A case that was run on one mesh with one interface."""
 
     case: str
     mesh: str
     interface: str
     ended: bool
+    """Whether the run ended normally."""
     reached: float
+    """Part of the case's time that was reached."""
     limited: bool
+    """Whether the limit ended it."""
     steps: int
     iterations: int
     residuals: int
     retries: int
+    """Iterations and residuals are 0 where FEBio wrote no summary."""
 
     @property
     def counts(self) -> str:
@@ -66,15 +57,10 @@ class Attempt:
 
 @dataclass(frozen=True)
 class Outcome(Attempt):
-    """An attempt as a row of the table.
-
-    Attributes
-    ----------
-    missed : str
-        Checks that it misses, with semicolons between them.
-    """
+    """An attempt as a row of the table."""
 
     missed: str
+    """Checks that it misses, with semicolons between them."""
 
     @property
     def end(self) -> End:

@@ -26,20 +26,13 @@ NEAR = 1e-9
 
 @dataclass(frozen=True)
 class Shape:
-    """A body with what it touches with and what it is held by.
-
-    Attributes
-    ----------
-    body : Body
-    contact : ndarray of int, shape (n_facets, 4)
-        Node numbers from 0.
-    grip : ndarray of int
-        Node numbers from 0.
-    """
+    """A body with what it touches with and what it is held by."""
 
     body: Body
     contact: Ids
+    """Node numbers from 0. Shape (n_facets, 4)."""
     grip: Ids
+    """Node numbers from 0."""
 
 
 def faces(body: Body, axes: str, ends: float) -> Ids:
@@ -93,37 +86,25 @@ def slab(low: tuple[float, float, float], high: tuple[float, float, float], elem
 
 @dataclass(frozen=True)
 class Pushed:
-    """A body held by its grip and one that moves with its own; 1 mM at the first grip, 0 at the other.
-
-    Attributes
-    ----------
-    base, shape : callable
-        The lower and the upper body for a factor (1 or 2) on the number of elements along each edge.
-    motion : callable
-    times : tuple of float
-        Ends of the time steps, s.
-    plane : bool
-        Whether nothing moves along y.
-    bounds : callable
-        The physical checks: from a run, measures.
-    half : bool
-        Whether x = 0 is a plane of symmetry at which the model ends.
-    base_is_primary : bool
-        Whether the base has the primary surface.
-    extra : tuple of Param
-        Further parameters of every interface.
-    """
+    """A body held by its grip and one that moves with its own; 1 mM at the first grip, 0 at the other."""
 
     base: Callable[[int], Shape]
     shape: Callable[[int], Shape]
+    """The lower and the upper body for a factor (1 or 2) on the number of elements along each edge."""
     motion: Motion
     times: tuple[float, ...]
+    """Ends of the time steps, s."""
     bounds: Callable[[RunResult], list[Measure]]
+    """The physical checks: from a run, measures."""
     plane: bool = True
+    """Whether nothing moves along y."""
     name: str = "pushed"
     half: bool = False
+    """Whether x = 0 is a plane of symmetry at which the model ends."""
     base_is_primary: bool = False
+    """Whether the base has the primary surface."""
     extra: tuple[Param, ...] = ()
+    """Further parameters of every interface."""
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         """The model."""

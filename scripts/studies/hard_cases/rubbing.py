@@ -61,18 +61,12 @@ def free(run: RunResult) -> list[Measure]:  # noqa: ARG001 other scenes look at 
 
 @dataclass(frozen=True)
 class Rubbing:
-    """A hard case of friction.
-
-    Attributes
-    ----------
-    about : str
-        What is hard about it, in a few words.
-    scene : Pushed
-        With the parameters of friction.
-    """
+    """A hard case of friction."""
 
     about: str
+    """What is hard about it, in a few words."""
     scene: Pushed
+    """With the parameters of friction."""
 
     @property
     def frictionless(self) -> Pushed:

@@ -24,28 +24,19 @@ FRICTIONLESS = "sliding-mixture, no friction"
 
 @dataclass(frozen=True)
 class Record:
-    """What came of a case on one mesh.
-
-    Attributes
-    ----------
-    friction, frictionless : Attempt
-        With sliding-mixture.
-    febio : list of Attempt
-        With FEBio's friction.
-    failures : str
-        How attempts at steps failed with friction.
-    costs : list of Measure
-        Iterations and retries beside those without friction.
-    measures : list of Measure
-        Balances, and what the scene asks for.
-    """
+    """What came of a case on one mesh."""
 
     friction: Attempt
     frictionless: Attempt
+    """With sliding-mixture."""
     febio: list[Attempt]
+    """With FEBio's friction."""
     failures: str
+    """How attempts at steps failed with friction."""
     costs: list[Measure]
+    """Iterations and retries beside those without friction."""
     measures: list[Measure]
+    """Balances, and what the scene asks for."""
 
     @property
     def passed(self) -> bool:

@@ -26,16 +26,11 @@ CUSHION = Solid(0.01)
 
 @dataclass(frozen=True)
 class Seesaw:
-    """A slab under two blocks, each with a contact of its own; the two contacts share the nodes of the middle.
-
-    Attributes
-    ----------
-    left, right : tuple of (float, float)
-        Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `SHORTENING`, below 0 is open.
-    """
+    """A slab under two blocks, each with a contact of its own; the two contacts share the nodes of the middle."""
 
     left: tuple[tuple[float, float], ...]
     right: tuple[tuple[float, float], ...]
+    """Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `SHORTENING`, below 0 is open."""
     name: str = "seesaw"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:

@@ -21,23 +21,17 @@ WITHIN = 0.8
 
 @dataclass(frozen=True)
 class ProfileRow:
-    """A facet of a run.
-
-    Attributes
-    ----------
-    problem, mesh : str
-    place, pressure : float
-        Distance of its middle from that of the contact (mm), and mean pressure (MPa).
-    radius, peak : float
-        Half-width or radius of the contact (mm) and peak pressure (MPa) of the closed form, for the force that passes.
-    """
+    """A facet of a run."""
 
     problem: str
     mesh: str
     place: float
     pressure: float
+    """Distance of its middle from that of the contact (mm), and mean pressure (MPa)."""
     radius: float
     peak: float
+    """Half-width or radius of the contact (mm) and peak pressure (MPa) of the closed form, for the force that passes.
+    """
 
 
 def sphere(runner: Runner, elements: int) -> list[ProfileRow]:

@@ -44,42 +44,28 @@ A ball in its socket: two layers of {material} with a thickness of 2 mm cover ri
 
 @dataclass(frozen=True)
 class BallInSocket:
-    """Choices of the scene.
-
-    Attributes
-    ----------
-    elements : int
-        Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more.
-    quadratic : bool
-        Tetrahedra of ten nodes.
-    porous : bool
-        Biphasic layers, wet where they are not in contact.
-    slides : bool
-    updates : int
-        Quasi-Newton updates (BFGS) between two matrices.
-    primary : str
-        Surface that the contact integrates over: ``ball`` or ``socket``.
-    contact : str
-        Type of the contact.
-    params : tuple of Param
-        Of the contact.
-    steps : int
-        Time steps to press, and as many to slide.
-    plot : bool
-        With a plot file.
-    """
+    """Choices of the scene."""
 
     elements: int = 8
+    """Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more."""
     quadratic: bool = False
+    """Tetrahedra of ten nodes."""
     porous: bool = False
+    """Biphasic layers, wet where they are not in contact."""
     slides: bool = True
     updates: int = 0
+    """Quasi-Newton updates (BFGS) between two matrices."""
     primary: str = "ball"
+    """Surface that the contact integrates over: ``ball`` or ``socket``."""
     contact: str = InterfaceType.MIXTURE.value
+    """Type of the contact."""
     params: tuple[Param, ...] = ()
+    """Of the contact."""
     steps: int = 10
+    """Time steps to press, and as many to slide."""
     name: str = "ball-in-socket"
     plot: bool = False
+    """With a plot file."""
 
     def model(self) -> Model:
         """The model of these choices."""

@@ -55,19 +55,13 @@ The closed form takes the layers for thin: the contact's {size} is 80 times thei
 
 @dataclass(frozen=True)
 class BiphasicHertz(ABC):
-    """What lines and spheres share.
-
-    Attributes
-    ----------
-    draining : bool
-        Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable.
-    across, through : int
-        Elements along the modelled half-width or radius and through each layer.
-    """
+    """What lines and spheres share."""
 
     draining: bool = False
+    """Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable."""
     across: int = 72
     through: int = 3
+    """Elements along the modelled half-width or radius and through each layer."""
     name: str = "biphasic-hertz"
 
     shape: ClassVar[Shape]
@@ -227,15 +221,10 @@ class BiphasicLine(BiphasicHertz):
 
 @dataclass(frozen=True)
 class BiphasicSphere(BiphasicHertz):
-    """Contact over a circle: a quarter of it.
-
-    Attributes
-    ----------
-    around : int
-        Elements around the quarter.
-    """
+    """Contact over a circle: a quarter of it."""
 
     around: int = 4
+    """Elements around the quarter."""
     name: str = "biphasic-hertz-sphere"
 
     shape = Shape.SPHERE

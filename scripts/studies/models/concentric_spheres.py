@@ -30,23 +30,14 @@ of symmetry."""
 
 @dataclass(frozen=True)
 class ConcentricSpheres:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    friction : float
-        Coefficient between the shells.
-    elements : int
-        Of the outer shell along each edge of a patch, of which the octant has three; the inner shell has one less.
-    through : int
-        Elements through each shell.
-    steps : int
-    name : str
-    """
+    """Choices of this problem."""
 
     friction: float = 0.5
+    """Coefficient between the shells."""
     elements: int = 8
+    """Of the outer shell along each edge of a patch, of which the octant has three; the inner shell has one less."""
     through: int = 3
+    """Elements through each shell."""
     steps: int = 90
     name: str = "concentric-spheres"
 

@@ -71,21 +71,13 @@ impermeable."""
 
 @dataclass(frozen=True)
 class Delamination:
-    """Choices of the delamination.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings
-    along, up : tuple of int
-        Elements of the layer and of the bone along their length and over their height.
-    control : Control
-    """
+    """Choices of the delamination."""
 
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = TIE
     along: tuple[int, int] = (48, 24)
     up: tuple[int, int] = (4, 2)
+    """Elements of the layer and of the bone along their length and over their height."""
     control: Control = CONTROL
     name: str = "delamination"
     plot: bool = False

@@ -60,20 +60,13 @@ bone below is impermeable, and no load acts on the top. By symmetry, the model c
 
 @dataclass(frozen=True)
 class Graft:
-    """Choices of the graft.
-
-    Attributes
-    ----------
-    around : int
-        Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many.
-    outward, up : int
-        Elements of the host from the wall outwards, and of both bodies over the height.
-    control : Control
-    """
+    """Choices of the graft."""
 
     around: int = 4
+    """Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many."""
     outward: int = 7
     up: int = 5
+    """Elements of the host from the wall outwards, and of both bodies over the height."""
     control: Control = Control(60, 50.0)
     plot: bool = False
 

@@ -85,19 +85,12 @@ class Source(Enum):
 
 @dataclass(frozen=True)
 class Joint:
-    """Choices of the joint section.
-
-    Attributes
-    ----------
-    cycles : int
-    across, through : int
-        Elements along the half-width and through the thickness of each layer.
-    source : Source
-    """
+    """Choices of the joint section."""
 
     cycles: int = 10
     across: int = 24
     through: int = 8
+    """Elements along the half-width and through the thickness of each layer."""
     source: Source = Source.FLUID
     name: str = "joint"
     plot: bool = False

@@ -53,15 +53,7 @@ def film_params(film: Film, **sol: str) -> tuple[Param, ...]:
 
 @dataclass(frozen=True)
 class Membrane(Layered):
-    """Choices of the model.
-
-    Attributes
-    ----------
-    film : Film
-    faces : Faces
-    enforcement : tuple of Param
-        Further parameters of the contact.
-    """
+    """Choices of the model."""
 
     elements: int = 40
     control: Control = Control(60, 2e4)
@@ -69,6 +61,7 @@ class Membrane(Layered):
     film: Film = FILM
     faces: Faces = FACES
     enforcement: tuple[Param, ...] = ()
+    """Further parameters of the contact."""
 
     ABOUT = ABOUT
     MATERIALS: ClassVar = {

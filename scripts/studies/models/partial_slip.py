@@ -50,19 +50,12 @@ A cylinder of radius 10 mm on a block, the same material, pressed and then pushe
 
 @dataclass(frozen=True)
 class PartialSlip:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    elements : int
-        Over half the width of the contact.
-    settings : ContactSettings, optional
-        Default settings with friction without it.
-    name : str
-    """
+    """Choices of this problem."""
 
     elements: int = 10
+    """Over half the width of the contact."""
     settings: ContactSettings | None = None
+    """Default settings with friction without it."""
     name: str = "partial-slip"
 
     def model(self) -> Model:

@@ -48,16 +48,10 @@ the lower contact transmits traction alone."""
 
 @dataclass(frozen=True)
 class Platens:
-    """Choices of the compression test.
-
-    Attributes
-    ----------
-    elements : int
-        Through the sample; a platen has a fifth of it.
-    control : Control
-    """
+    """Choices of the compression test."""
 
     elements: int = 20
+    """Through the sample; a platen has a fifth of it."""
     control: Control = Control(120, 25.0)
     plot: bool = False
 

@@ -55,21 +55,13 @@ impermeable. By symmetry, the model contains a quarter of both bodies."""
 
 @dataclass(frozen=True)
 class Plug:
-    """Choices of the plug.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings
-    around, up : tuple of int
-        Elements of the cartilage and of the bone: of each block of the O-grid along each edge, and over the height.
-    control : Control
-    """
+    """Choices of the plug."""
 
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = ContactSettings()
     around: tuple[int, int] = (4, 3)
     up: tuple[int, int] = (8, 4)
+    """Elements of the cartilage and of the bone: of each block of the O-grid along each edge, and over the height."""
     control: Control = Control(60, 100.0)
     name: str = "plug"
     plot: bool = False

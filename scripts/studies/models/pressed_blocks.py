@@ -22,28 +22,19 @@ Two elastic blocks of 1 mm x 1 mm x 1 mm, whose facets do not match. The top of 
 
 @dataclass(frozen=True)
 class PressedBlocks:
-    """Choices of the scene.
-
-    Attributes
-    ----------
-    lower, upper : int
-        Elements of the two blocks along x and y.
-    through : int
-        Elements through each block.
-    contact : str
-        Type of the contact.
-    params : tuple of Param
-        Of the contact.
-    steps : int
-        Time steps.
-    """
+    """Choices of the scene."""
 
     lower: int = 50
     upper: int = 46
+    """Elements of the two blocks along x and y."""
     through: int = 6
+    """Elements through each block."""
     contact: str = InterfaceType.MIXTURE.value
+    """Type of the contact."""
     params: tuple[Param, ...] = ()
+    """Of the contact."""
     steps: int = 2
+    """Time steps."""
     name: str = "pressed-blocks"
 
     @property

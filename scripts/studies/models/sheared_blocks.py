@@ -49,24 +49,15 @@ the same block in one piece. Both ends drain."""
 
 @dataclass(frozen=True)
 class ShearedBlocks:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    kind : Kind
-        ``elastic``, ``biphasic`` or ``biphasic-solute``.
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings with friction without it.
-    newton : float
-        Newton's relative tolerances.
-    name : str
-    """
+    """Choices of this problem."""
 
     kind: Kind = Kind.ELASTIC
+    """``elastic``, ``biphasic`` or ``biphasic-solute``."""
     interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
+    """Default settings with friction without it."""
     newton: float = 1e-9
+    """Newton's relative tolerances."""
     name: str = "sheared-blocks"
 
     def model(self) -> Model:

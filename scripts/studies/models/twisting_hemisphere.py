@@ -35,17 +35,10 @@ of Zimmerman and Ateshian (2018), J Biomech Eng 140(8):081013. The contact stick
 
 @dataclass(frozen=True)
 class TwistingHemisphere:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    elements : int
-        Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge.
-    interface : InterfaceType
-    name : str
-    """
+    """Choices of this problem."""
 
     elements: int = 6
+    """Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge."""
     interface: InterfaceType = InterfaceType.MIXTURE
     name: str = "twisting-hemisphere"
 

@@ -19,18 +19,7 @@ FULL, KEPT = "full Newton", "BFGS 10"
 
 @dataclass(frozen=True)
 class Answer:
-    """One run.
-
-    Attributes
-    ----------
-    scene, way : str
-    ended : str
-    iterations, retries : int
-    difference : float, optional
-        From the run that it is compared with; None where it is compared with none.
-    across : bool
-        Whether that one has its conditions enforced another way, so that they differ by what a penalty leaves.
-    """
+    """One run."""
 
     scene: str
     way: str
@@ -38,7 +27,9 @@ class Answer:
     iterations: int
     retries: int
     difference: float | None = None
+    """From the run that it is compared with; None where it is compared with none."""
     across: bool = False
+    """Whether that one has its conditions enforced another way, so that they differ by what a penalty leaves."""
 
     @property
     def is_the_same(self) -> bool:

@@ -83,35 +83,23 @@ def control(steps: int) -> Control:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene.
-
-    Attributes
-    ----------
-    moves : str
-        ``punch``, ``load``, ``slide`` or ``crack``.
-    elements : str
-        As `Elements`, or ``tet15``.
-    shape : Shape
-        Of the block's lower face.
-    primary : str
-        Its surface is the primary one.
-    solute : bool
-        Whether both bodies hold a solute.
-    stiffness : float
-        Of the block over that of the slab.
-    cells : Cells, optional
-        Those of `CELLS` without it.
-    steps : int
-    """
+    """A scene."""
 
     moves: str
+    """``punch``, ``load``, ``slide`` or ``crack``."""
     elements: str = "hex8"
+    """As `Elements`, or ``tet15``."""
     shape: Shape = Shape.FLAT
+    """Of the block's lower face."""
     primary: str = LOWER
+    """Its surface is the primary one."""
     solute: bool = False
+    """Whether both bodies hold a solute."""
     stiffness: float = 1.0
+    """Of the block over that of the slab."""
     steps: int = 10
     cells: Cells | None = None
+    """Those of `CELLS` without it."""
 
     def feb(self, name: str) -> Feb:
         """The scene as a model file."""

@@ -30,24 +30,16 @@ _FIGURE = re.compile(r"\d")
 
 @dataclass(frozen=True)
 class EvidencePage:
-    """A page of evidence.
-
-    Attributes
-    ----------
-    name : str
-        Below docs/.
-    sources : tuple of str
-        Files below docs/data that its figures come from.
-    template : Path
-        Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with.
-    figures : callable
-        Reads the sources and says what goes where.
-    """
+    """A page of evidence."""
 
     name: str
+    """Below docs/."""
     sources: tuple[str, ...]
+    """Files below docs/data that its figures come from."""
     template: Path
+    """Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with."""
     figures: Callable[[], Mapping[str, str]]
+    """Reads the sources and says what goes where."""
 
     def __call__(self) -> str:
         """The page.

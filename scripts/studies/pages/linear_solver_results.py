@@ -61,30 +61,21 @@ class Outcome(str, Enum):
 
 @dataclass(frozen=True)
 class Trial:
-    """A run.
-
-    Attributes
-    ----------
-    scene, solver, preconditioner, enforcement : str
-        What was solved by what.
-    outcome : str
-        How it ended.
-    difference : float
-        Of the last state from that of the reference, relative to the largest value of each kind.
-    febio : str
-        The FEBio that ran it.
-    commit : str
-        Of the plugin's sources, or unknown.
-    """
+    """A run."""
 
     scene: str
     solver: str
     preconditioner: str
     enforcement: str
+    """What was solved by what."""
     outcome: str
+    """How it ended."""
     difference: float
+    """Of the last state from that of the reference, relative to the largest value of each kind."""
     febio: str
+    """The FEBio that ran it."""
     commit: str
+    """Of the plugin's sources, or unknown."""
 
     @property
     def cell(self) -> tuple[str, str, str, str]:

@@ -48,28 +48,19 @@ UNAVAILABLE = "not available in models with rigid bodies"
 
 @dataclass(frozen=True)
 class Took:
-    """What a run took.
-
-    Attributes
-    ----------
-    ended : bool
-    steps, iterations, retries : int
-    difference : float
-        Largest difference of displacements of the last state from that of FEBio's interface, relative to the largest
-        displacement; 0 for FEBio's interface itself, not a number where a run did not end.
-    of_fields : float
-        The same of pressure and concentrations, the largest of them; not a number where there are none.
-    why : str
-        Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it.
-    """
+    """What a run took."""
 
     ended: bool
     steps: int = 0
     iterations: int = 0
     retries: int = 0
     difference: float = math.nan
+    """Largest difference of displacements of the last state from that of FEBio's interface, relative to the largest
+    displacement; 0 for FEBio's interface itself, not a number where a run did not end."""
     of_fields: float = math.nan
+    """The same of pressure and concentrations, the largest of them; not a number where there are none."""
     why: str = ""
+    """Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it."""
 
     @property
     def at_limit(self) -> bool:

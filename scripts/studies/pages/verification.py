@@ -23,20 +23,14 @@ PAGE, DATA = "reference/verification-report.md", "data/verification.json"
 
 @dataclass(frozen=True)
 class Run:
-    """A run behind a figure.
-
-    Attributes
-    ----------
-    model, mesh, steps, contact, tolerances : str
-        Name, and the rest as the page shows it.
-    iterations : int
-    """
+    """A run behind a figure."""
 
     model: str
     mesh: str
     steps: str
     contact: str
     tolerances: str
+    """Name, and the rest as the page shows it."""
     iterations: int
 
 

@@ -16,26 +16,18 @@ from studies.post import half_ellipse
 
 @dataclass(frozen=True)
 class Zones:
-    """The contact at the end of a run, and what it should be for the forces that pass.
-
-    Attributes
-    ----------
-    x, pressure, shear : ndarray
-        Of the nodes under load: position (mm) and tractions (MPa).
-    half_width : float
-        a of the closed form for the normal force, mm.
-    ratio : float
-        Q/(mu P).
-    bound : float
-        mu p0 of the closed form, MPa.
-    """
+    """The contact at the end of a run, and what it should be for the forces that pass."""
 
     x: Array
     pressure: Array
     shear: Array
+    """Of the nodes under load: position (mm) and tractions (MPa)."""
     half_width: float
+    """a of the closed form for the normal force, mm."""
     ratio: float
+    """Q/(mu P)."""
     bound: float
+    """mu p0 of the closed form, MPa."""
 
     @property
     def stick_half_width(self) -> float:

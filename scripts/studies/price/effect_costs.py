@@ -14,32 +14,22 @@ from studies.stamps import LIMIT
 
 @dataclass(frozen=True)
 class EffectCost:
-    """One effect of one scene.
-
-    Attributes
-    ----------
-    scene : str
-    effect : str
-        ``shared`` is what all effects need.
-    part : float
-        Part of the run's time that the contact takes for this effect, of the run whose share is the median.
-    share, share_low, share_high : float
-        Part of all effects: median, least and largest.
-    bytes : int
-        Memory for each integration point.
-    unknowns, entries : int
-        Equations of the run, and the most entries of its matrix.
-    """
+    """One effect of one scene."""
 
     scene: str
     effect: str
+    """``shared`` is what all effects need."""
     part: float
+    """Part of the run's time that the contact takes for this effect, of the run whose share is the median."""
     share: float
     share_low: float
     share_high: float
+    """Part of all effects: median, least and largest."""
     bytes: int
+    """Memory for each integration point."""
     unknowns: int
     entries: int
+    """Equations of the run, and the most entries of its matrix."""
 
 
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[EffectCost]:

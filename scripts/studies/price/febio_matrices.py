@@ -18,18 +18,7 @@ FORMATS = ("non-symmetric", "symmetric")
 
 @dataclass(frozen=True)
 class Matrix:
-    """FEBio's interface on one scene with one form of its matrix.
-
-    Attributes
-    ----------
-    scene, form : str
-    ended : bool
-    iterations, retries : int
-    ratio, ratio_low, ratio_high : float
-        Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn.
-    entries : int
-        The most entries of the matrix.
-    """
+    """FEBio's interface on one scene with one form of its matrix."""
 
     scene: str
     form: str
@@ -39,7 +28,9 @@ class Matrix:
     ratio: float
     ratio_low: float
     ratio_high: float
+    """Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn."""
     entries: int
+    """The most entries of the matrix."""
 
 
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:

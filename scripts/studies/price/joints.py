@@ -41,45 +41,31 @@ OURS, PREDICTED = Interface.MIXTURE.value, Interface.PREDICTED.value
 
 @dataclass(frozen=True)
 class JointPrice:
-    """One contact on one scene, from several runs.
-
-    Attributes
-    ----------
-    scene : str
-    type : str
-        Type of the contact; `PREDICTED` for ours with the predictor.
-    ended : bool
-    iterations, retries, matrices : int
-        Newton iterations, time steps tried again, and matrices formed.
-    seconds : float
-        Median of the processor time of the run, s.
-    ratio, ratio_low, ratio_high : float
-        Median, least and largest of that time over that of FEBio's interface, run in turn.
-    share : float
-        Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's.
-    points : int
-        Integration points that face the other surface; 0 for FEBio's.
-    facets : int
-        Of the primary surface.
-    unknowns, entries : int
-        Equations, and the most entries of the matrix.
-    """
+    """One contact on one scene, from several runs."""
 
     scene: str
     type: str
+    """Type of the contact; `PREDICTED` for ours with the predictor."""
     ended: bool
     iterations: int
     retries: int
     matrices: int
+    """Newton iterations, time steps tried again, and matrices formed."""
     seconds: float
+    """Median of the processor time of the run, s."""
     ratio: float
     ratio_low: float
     ratio_high: float
+    """Median, least and largest of that time over that of FEBio's interface, run in turn."""
     share: float
+    """Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's."""
     points: int
+    """Integration points that face the other surface; 0 for FEBio's."""
     facets: int
+    """Of the primary surface."""
     unknowns: int
     entries: int
+    """Equations, and the most entries of the matrix."""
 
 
 def rival(scene: Scene) -> Scene:

@@ -67,27 +67,18 @@ class Kind(str, Enum):
 
 @dataclass(frozen=True)
 class Scene:
-    """Choices of the scene.
-
-    Attributes
-    ----------
-    kind : Kind
-    contact : str
-        Type of the contact; ``conforming`` for one body without a contact.
-    solutes : int
-        Number of solutes of both blocks.
-    fixed : bool
-        Whether the solid is held everywhere.
-    section, through : int
-        Elements along x and y, and through each block.
-    """
+    """Choices of the scene."""
 
     kind: Kind
     contact: str = InterfaceType.MIXTURE.value
+    """Type of the contact; ``conforming`` for one body without a contact."""
     solutes: int = 0
+    """Number of solutes of both blocks."""
     fixed: bool = False
+    """Whether the solid is held everywhere."""
     section: int = 8
     through: int = 2
+    """Elements along x and y, and through each block."""
     settings: ContactSettings | None = None
     control: Control = field(default=Control(STEPS, STEP))
 

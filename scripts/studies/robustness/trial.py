@@ -21,28 +21,18 @@ SOLVED = 0.05
 
 @dataclass(frozen=True)
 class Finding:
-    """What came of one variation of a model.
-
-    Attributes
-    ----------
-    model, variation : str
-    ended : str
-        How it ended.
-    steps, retries : int
-    difference : float, optional
-        From the run that it is compared with, as in `differences.largest`; None where there is nothing to compare.
-    faults : tuple of str
-        What must not be.
-    note : str
-    """
+    """What came of one variation of a model."""
 
     model: str
     variation: str
     ended: str
+    """How it ended."""
     steps: int
     retries: int
     difference: float | None = None
+    """From the run that it is compared with, as in `differences.largest`; None where there is nothing to compare."""
     faults: tuple[str, ...] = ()
+    """What must not be."""
     note: str = ""
 
     @property

@@ -112,47 +112,31 @@ def porous(modulus: float = 1.0, solutes: tuple[Solute, ...] = (), kind: str | N
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene.
-
-    Attributes
-    ----------
-    about : str
-        What it stands for.
-    contact : str
-        FEBio's type of contact.
-    params : tuple of Param
-        Its parameters.
-    slab, block : Material
-    elements, shape
-        See `slab_and_block`.
-    module : str
-    force : float, optional
-        N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved.
-    slides : bool
-        Whether the block slides after it has been pressed.
-    dynamic : bool
-    primary : str
-        Its surface is the primary one.
-    stepper : bool
-        Whether steps adapt themselves.
-    fineness : int
-        Of the mesh; see `slab_and_block`.
-    """
+    """A scene."""
 
     about: str
+    """What it stands for."""
     contact: str = "sliding-elastic"
+    """FEBio's type of contact."""
     params: tuple[Param, ...] = ()
+    """Its parameters."""
     slab: Material | Xml = field(default_factory=elastic)
     block: Material | Xml = field(default_factory=lambda: elastic(2.0))
     elements: Elements = Elements.HEX8
     shape: Shape = Shape.CYLINDER
+    """See `slab_and_block`."""
     module: str = "solid"
     force: float | None = None
+    """N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved."""
     slides: bool = False
+    """Whether the block slides after it has been pressed."""
     dynamic: bool = False
     primary: str = LOWER
+    """Its surface is the primary one."""
     stepper: bool = True
+    """Whether steps adapt themselves."""
     fineness: int = 1
+    """Of the mesh; see `slab_and_block`."""
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""

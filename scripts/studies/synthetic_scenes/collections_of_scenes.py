@@ -29,27 +29,18 @@ class Collection(str, Enum):
 
 @dataclass(frozen=True)
 class Study:
-    """What a collection is run for.
-
-    Attributes
-    ----------
-    scenes : mapping of str to Written
-    ways : sequence of str
-        Names of `comparison.WAYS`.
-    data : Path, optional
-        Below docs/; None where nothing is kept.
-    pages : mapping of str to callable
-        Generated pages below docs/.
-    summary, table : callable
-        What the results come to.
-    """
+    """What a collection is run for."""
 
     scenes: Mapping[str, Written]
     ways: Sequence[str]
+    """Names of `comparison.WAYS`."""
     data: Path | None
+    """Below docs/; None where nothing is kept."""
     pages: Mapping[str, Callable[[Results], str]]
+    """Generated pages below docs/."""
     summary: Callable[[Sequence[Row]], str]
     table: Callable[[Sequence[Row]], str]
+    """What the results come to."""
 
 
 STUDIES: Mapping[Collection, Study] = {

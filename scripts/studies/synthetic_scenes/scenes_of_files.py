@@ -15,20 +15,13 @@ from studies.synthetic_scenes.edits import Edit
 
 @dataclass(frozen=True)
 class Edited:
-    """A scene whose file is changed after it is written.
-
-    Attributes
-    ----------
-    about : str
-        What it stands for.
-    scene : Scene
-    edits : tuple of Edit
-        Applied one after the other.
-    """
+    """A scene whose file is changed after it is written."""
 
     about: str
+    """What it stands for."""
     scene: Scene
     edits: tuple[Edit, ...]
+    """Applied one after the other."""
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""

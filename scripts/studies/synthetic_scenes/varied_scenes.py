@@ -26,12 +26,7 @@ MOST_FRICTION, LARGEST_RATIO = 0.5, 0.49
 
 @dataclass(frozen=True)
 class Varied:
-    """The scene of a seed.
-
-    Attributes
-    ----------
-    seed : int
-    """
+    """The scene of a seed."""
 
     seed: int
 

@@ -21,54 +21,35 @@ from studies.models.indentation_variants import LEVELS
 
 @dataclass(frozen=True)
 class Entry:
-    """A model of the gallery.
-
-    Attributes
-    ----------
-    title : str
-    start_here : str
-        For which model of one's own it is a start, and what to change.
-    model : Model
-        The one in models/.
-    small : Model
-        The same with fewer elements and steps, for the tests.
-    section : Section
-        The plane that is drawn.
-    times : tuple of float
-        Of the pictures, s.
-    driven : tuple of (str, str), optional
-        Node set and reaction (Rx, Ry or Rz) whose sum is the force that is shown.
-    """
+    """A model of the gallery."""
 
     title: str
     start_here: str
+    """For which model of one's own it is a start, and what to change."""
     model: Model
+    """The one in models/."""
     small: Model
+    """The same with fewer elements and steps, for the tests."""
     section: Section
+    """The plane that is drawn."""
     times: tuple[float, ...]
+    """Of the pictures, s."""
     driven: tuple[str, str] | None = None
+    """Node set and reaction (Rx, Ry or Rz) whose sum is the force that is shown."""
 
 
 @dataclass(frozen=True)
 class Curves:
-    """What is drawn over time, each of shape (n_times,).
-
-    Attributes
-    ----------
-    times : ndarray
-        s.
-    contents : dict of str to ndarray
-        Solute in each porous part, nmol.
-    sides : dict of str to ndarray
-        Mean effective concentration over the nodes of each contact surface whose material has the solute, mM.
-    force : ndarray, optional
-        N, of the modelled part; compression is positive.
-    """
+    """What is drawn over time, each of shape (n_times,)."""
 
     times: Array
+    """s."""
     contents: dict[str, Array]
+    """Solute in each porous part, nmol."""
     sides: dict[str, Array]
+    """Mean effective concentration over the nodes of each contact surface whose material has the solute, mM."""
     force: Array | None
+    """N, of the modelled part; compression is positive."""
 
 
 UPRIGHT = Section(across=0, up=2)

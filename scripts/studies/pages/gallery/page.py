@@ -22,14 +22,7 @@ PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
 
 @dataclass(frozen=True)
 class Record:
-    """What a run took.
-
-    Attributes
-    ----------
-    nodes, elements, steps, iterations, retries : int
-    cpu : float
-        Processor time, s, one thread.
-    """
+    """What a run took."""
 
     nodes: int
     elements: int
@@ -37,6 +30,7 @@ class Record:
     iterations: int
     retries: int
     cpu: float
+    """Processor time, s, one thread."""
 
 
 @dataclass(frozen=True)

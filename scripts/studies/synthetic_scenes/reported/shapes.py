@@ -40,28 +40,19 @@ NEAR = 1e-9
 
 @dataclass(frozen=True)
 class Shape:
-    """A body.
-
-    Attributes
-    ----------
-    element : str
-        FEBio's name of its elements.
-    nodes : ndarray, shape (n, 3)
-        mm.
-    elements : list of tuple of int
-        Nodes of each element, from 0.
-    sides : mapping of str to list of tuple of int
-        Facets of each side, nodes from 0: ``x0``, ``x1``, ... where a coordinate of the unit cube is 0 or 1, and
-        ``outside``; of a shell ``face`` and ``back``, and its edges as lists of nodes.
-    thickness : float
-        Of a shell, mm; 0 of a solid.
-    """
+    """A body."""
 
     element: str
+    """FEBio's name of its elements."""
     nodes: Nodes
+    """mm. Shape (n, 3)."""
     elements: Facets
+    """Nodes of each element, from 0."""
     sides: Mapping[str, Facets] = field(default_factory=dict)
+    """Facets of each side, nodes from 0: ``x0``, ``x1``, ... where a coordinate of the unit cube is 0 or 1, and
+    ``outside``; of a shell ``face`` and ``back``, and its edges as lists of nodes."""
     thickness: float = 0.0
+    """Of a shell, mm; 0 of a solid."""
 
 
 def grid(cells: Sequence[int]) -> Body:

@@ -25,29 +25,19 @@ CURVES = (UP, LATER, BACK, AT_ONCE)
 
 @dataclass(frozen=True)
 class Scheme:
-    """Steps and solver, as users give them.
-
-    Attributes
-    ----------
-    steps, size
-        Number of steps and the size of one, s.
-    analysis : str
-    retries : int
-        How often a failed step is tried again; 0 for steps of fixed size.
-    method, updates
-        Of quasi-Newton updates between two matrices; FEBio's default is 10 of BFGS.
-    symmetric : bool, optional
-        FEBio's default in the module `solid`, which other modules do not have; None keeps it.
-    reformations : int
-    """
+    """Steps and solver, as users give them."""
 
     steps: int = 10
     size: float = 0.1
+    """Number of steps and the size of one, s."""
     analysis: str = ""
     retries: int = 5
+    """How often a failed step is tried again; 0 for steps of fixed size."""
     method: str = "BFGS"
     updates: int = 0
+    """Of quasi-Newton updates between two matrices; FEBio's default is 10 of BFGS."""
     symmetric: bool | None = False
+    """FEBio's default in the module `solid`, which other modules do not have; None keeps it."""
     reformations: int = 25
 
     def text(self, module: str) -> str:
@@ -84,30 +74,19 @@ class Touch:
 
 @dataclass(frozen=True)
 class Sketch:
-    """A model.
-
-    Attributes
-    ----------
-    bodies : mapping of str to Shape
-        Its sides are the surfaces and node sets ``<body>-<side>``; the node set ``<body>`` has all of its nodes.
-    materials : mapping of str to (str, str)
-        By body: FEBio's type, and what is inside.
-    contacts : sequence of Touch
-    conditions : sequence of str
-        Entries of the sections Boundary, Rigid, Loads, Initial and MeshAdaptor.
-    scheme : Scheme
-    module : str
-    globals : str
-        Solutes.
-    """
+    """A model."""
 
     bodies: Mapping[str, Shape]
+    """Its sides are the surfaces and node sets ``<body>-<side>``; the node set ``<body>`` has all of its nodes."""
     materials: Mapping[str, tuple[str, str]]
+    """By body: FEBio's type, and what is inside."""
     contacts: Sequence[Touch]
     conditions: Sequence[str] = ()
+    """Entries of the sections Boundary, Rigid, Loads, Initial and MeshAdaptor."""
     scheme: Scheme = USUAL
     module: str = "solid"
     globals: str = ""
+    """Solutes."""
 
     def text(self) -> str:
         """The model as FEBio 4 XML."""
@@ -208,18 +187,12 @@ def _list(numbers: object) -> str:
 
 @dataclass(frozen=True)
 class Drawn:
-    """A scene that is drawn when it is written.
-
-    Attributes
-    ----------
-    about : str
-        What it stands for.
-    draw : callable
-        Its model.
-    """
+    """A scene that is drawn when it is written."""
 
     about: str
+    """What it stands for."""
     draw: Callable[[], Sketch | Document]
+    """Its model."""
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""
