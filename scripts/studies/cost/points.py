@@ -14,7 +14,7 @@ from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import Grid
 from harness.models.interface import ContactSettings, InterfaceType, automatic, default_settings
 from harness.models.parts import Control, Curve, Param
-from studies.models.indentation_variants import LEVELS
+from studies.models.kept_models import LEVELS
 
 INTERFACES = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 HALFWAY = Grid(across=13, down=9, around=4)

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
+from studies.models.small import Scheme
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import TWO_PASS, Material, auglag, auto, friction
 
 Random = np.random.Generator

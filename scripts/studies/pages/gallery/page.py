@@ -86,7 +86,7 @@ def write(folder: Path, results: Results) -> list[Path]:
 
 
 def _recorded(records: Mapping[str, Record]) -> list[Entry]:
-    return [entry for entry in entries.entries() if entry.model.name in records]
+    return [entry for entry in entries.ENTRIES if entry.model.name in records]
 
 
 def page(results: Results) -> str:

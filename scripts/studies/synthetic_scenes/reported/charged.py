@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from studies.models.small import fixed, moved
+from studies.models.small import Scheme, fixed, moved
 from studies.synthetic_scenes.reported.pressed import dome
 from studies.synthetic_scenes.reported.shapes import box, mapped
-from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     auglag,
@@ -22,6 +22,8 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.5)
+USUALLY = auto(1.0, NEAR + fluid(1.0))
+"""Parameters of a contact between layers that a scene does not say otherwise."""
 GAS = 8.314e-6 * 298.0
 """R T, mJ/nmol."""
 SALT = 100.0
@@ -53,7 +55,7 @@ class Layers:
     """A porous dome is pressed into a porous slab of another permeability, and slides."""
 
     permeability: tuple[float, float]
-    params: str
+    params: str = USUALLY
     modulus: tuple[float, float] = (1.0, 1.0)
     way: float = 0.0
     load: float = 0.0
@@ -64,7 +66,6 @@ class Layers:
         """The model."""
         (low, high), (soft, stiff) = self.permeability, self.modulus
         cells = ((4, 4, 2), (3, 3, 2)) if self.element in ("hex20", "tet10") else ((8, 8, 3), (5, 5, 3))
-        drive = [] if self.load else [moved("dome-z1", "z", -0.12)]
         across = moved("dome-z1", "x", self.way, 2) if self.way else fixed("dome-z1", "x")
         return Sketch(
             {
@@ -77,9 +78,8 @@ class Layers:
                 fixed("slab-z0"),
                 fixed("dome-z1", "y"),
                 across,
-                *drive,
+                press("dome-z1", self.load) if self.load else moved("dome-z1", "z", -0.12),
                 *(drained(end) for end in ("slab-z0", "dome-z1")),
-                *((press("dome-z1", self.load),) if self.load else ()),
             ),
             self.scheme,
             module="biphasic",
@@ -100,12 +100,12 @@ def salty(params: str, charges: tuple[float, float], way: float = 0.0, scheme: S
         for end in ends
         for n in (1, 2)
     ]
-    start = [
+    held += [
         f'<ic type="initial concentration" node_set="{body}"><dof>c{n}</dof><value>{SALT:g}</value></ic>'
         for body in ("slab", "dome")
         for n in (1, 2)
     ]
-    start += [
+    held += [
         f'<ic type="initial fluid pressure" node_set="{body}"><value>{outside:g}</value></ic>'
         for body in ("slab", "dome")
     ]
@@ -117,31 +117,27 @@ def salty(params: str, charges: tuple[float, float], way: float = 0.0, scheme: S
         {"slab": mapped((6, 6, 3), box((-1, -1, -0.8), (1, 1, 0))), "dome": mapped((4, 4, 3), dome())},
         {"slab": charged(1.0, charges[0]), "dome": charged(2.0, charges[1])},
         (Touch("dome-z0", "slab-z1", "sliding-multiphasic", params + ambient),),
-        (fixed("slab-z0"), fixed("dome-z1", "y"), across, moved("dome-z1", "z", -0.1), *held, *tuple(start)),
+        (fixed("slab-z0"), fixed("dome-z1", "y"), across, moved("dome-z1", "z", -0.1), *held),
         scheme,
         module="multiphasic",
         globals=f"<Solutes>{IONS}</Solutes>",
     )
 
 
-_SOFT = auto(1.0, NEAR + fluid(1.0))
 _SALT = auto(1.0, NEAR + fluid(1.0, 1.0))
 SCENES: Mapping[str, Drawn] = {
     "layers-tight-on-open": Drawn(
-        "a dome with a very low permeability on a slab with a million times this permeability",
-        Layers((1.0, 1e-6), _SOFT),
+        "a dome with a very low permeability on a slab with a million times this permeability", Layers((1.0, 1e-6))
     ),
     "layers-open-on-tight": Drawn(
-        "a dome with a million times the slab's permeability, hex20",
-        Layers((1e-6, 1.0), _SOFT, element="hex20"),
+        "a dome with a million times the slab's permeability, hex20", Layers((1e-6, 1.0), element="hex20")
     ),
     "layers-tight-slides": Drawn(
         "layers of very different permeability slide, friction 0.1, two passes",
-        Layers((1e-1, 1e-5), auto(1.0, NEAR + fluid(1.0) + friction(0.1) + TWO_PASS), way=0.3, scheme=Scheme(20)),
+        Layers((1e-1, 1e-5), USUALLY + friction(0.1) + TWO_PASS, way=0.3, scheme=Scheme(20)),
     ),
     "layers-stiff-on-soft-load": Drawn(
-        "a stiff porous dome on a soft slab under a pressure",
-        Layers((1e-3, 1e-3), _SOFT, (0.2, 20.0), load=0.03),
+        "a stiff porous dome on a soft slab under a pressure", Layers((1e-3, 1e-3), modulus=(0.2, 20.0), load=0.03)
     ),
     "layers-augmented-bfgs": Drawn(
         "porous layers of a permeability ratio of 1e4, AUGLAG with a small penalty, BFGS",
@@ -152,8 +148,7 @@ SCENES: Mapping[str, Drawn] = {
         "a charged layer on a layer without charge, two ions cross", lambda: salty(_SALT, (-20.0, 0.0))
     ),
     "salty-slides-two-pass": Drawn(
-        "charged layers slide, two passes",
-        lambda: salty(auto(1.0, NEAR + fluid(1.0, 1.0) + TWO_PASS), (-20.0, -10.0), 0.3, Scheme(20)),
+        "charged layers slide, two passes", lambda: salty(_SALT + TWO_PASS, (-20.0, -10.0), 0.3, Scheme(20))
     ),
 }
 """By name."""

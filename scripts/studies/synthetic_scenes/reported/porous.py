@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 
-from studies.models.small import fixed, moved
+from studies.models.small import Scheme, fixed, moved
 from studies.synthetic_scenes.reported.shapes import arc, box, bulged, mapped, shifted, turned
-from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     SOLUTE,
     TWO_PASS,
@@ -30,13 +30,16 @@ from studies.synthetic_scenes.reported.words import (
 
 WET = "sliding-biphasic"
 SALTY = "sliding-biphasic-solute"
+NEAR = radius(0.5)
+USUALLY = auto(1.0, NEAR + fluid(1.0))
+"""Parameters of a contact that a scene does not say otherwise."""
 
 
 @dataclass(frozen=True)
 class Blocks:
     """A porous block with a curved lower face is pressed into a porous slab, by displacement or by a pressure."""
 
-    params: str
+    params: str = USUALLY
     scheme: Scheme = USUAL
     element: str = "hex8"
     depth: float = 0.1
@@ -50,19 +53,13 @@ class Blocks:
         """The model."""
         quadratic = self.element in ("hex20", "hex27", "tet10", "tet15")
         low, high = ((5, 3, 2), (4, 2, 2)) if quadratic else ((8, 4, 3), (6, 3, 3))
-
         above = bulged(box((-0.8, -0.4, -0.005 if self.load else 0.01), (0.8, 0.4, 0.8)), lambda x: 0.1 * x[:, 0] ** 2)
-
         make = with_solute if self.solute else biphasic
         ends = ("low-z0", "high-z1")
         held = [concentration(end, value) for end, value in zip(ends, (1.0, 0.5), strict=True)] if self.solute else []
         start = [initial_concentration(body, v) for body, v in (("low", 1.0), ("high", 0.5))] if self.solute else []
-        drive = (
-            [fixed("high-z1", "x", "y")]
-            if self.load
-            else [fixed("high-z1", "y"), moved("high-z1", "z", -self.depth, self.curve)]
-        )
-        drive += [] if self.load else [moved("high-z1", "x", self.way, 2)] if self.way else [fixed("high-z1", "x")]
+        across = moved("high-z1", "x", self.way, 2) if self.way else fixed("high-z1", "x")
+        drive = [fixed("high-z1", "y"), moved("high-z1", "z", -self.depth, self.curve), across]
         return Sketch(
             {
                 "low": mapped(low, box((-1.2, -0.6, -0.8), (1.4, 0.6, 0.0)), self.element),
@@ -72,11 +69,11 @@ class Blocks:
             (Touch("high-z0", "low-z1", SALTY if self.solute else WET, self.params),),
             (
                 fixed("low-z0"),
-                *drive,
+                *([fixed("high-z1", "x", "y")] if self.load else drive),
                 *(drained(end) for end in ends),
                 *held,
                 *start,
-                *((press("high-z1", self.load, self.curve),) if self.load else ()),
+                *([press("high-z1", self.load, self.curve)] if self.load else []),
             ),
             self.scheme,
             module="solute" if self.solute else "biphasic",
@@ -84,81 +81,67 @@ class Blocks:
         )
 
 
-def punch(params: str, scheme: Scheme, *, face: str = "x1", first: str = "layer") -> Sketch:
+def punch(*, updates: int = 0, face: str = "x1", first: str = "layer") -> Sketch:
     """A rigid cylinder under a force, all of it applied within a tenth of a second, creeps into a porous layer."""
     disc = shifted(turned(arc(0.8, 1.5, 1.2, (230.0, 310.0)), "x", 90.0), (0.0, 0.0, 1.49))
     sides = ("layer-z1", f"punch-{face}") if first == "layer" else (f"punch-{face}", "layer-z1")
     return Sketch(
         {"punch": mapped((1, 16, 2), disc), "layer": mapped((14, 3, 3), box((-1.5, -0.5, -0.6), (1.5, 0.5, 0.0)))},
         {"punch": rigid((0, 0, 0.5)), "layer": biphasic(1.0, 0.0, 1e-3)},
-        (Touch(*sides, WET, params),),
+        (Touch(*sides, WET, USUALLY),),
         (
             fixed("layer-z0"),
             *(fixed(f"layer-{side}", "y") for side in ("y0", "y1")),
             hold("punch", "xyuvw"),
             push("punch", "z", -0.1, 4),
         ),
-        scheme,
+        Scheme(20, updates=updates),
         module="biphasic",
     )
 
 
-_SOFT = auto(1.0, radius(0.5) + fluid(1.0))
-_SALT = auto(1.0, radius(0.5) + fluid(1.0, 1.0))
+_SALT = auto(1.0, NEAR + fluid(1.0, 1.0))
 SCENES: Mapping[str, Drawn] = {
-    "undrained": Drawn(
-        "porous blocks, steps a thousandth of the time of drainage",
-        Blocks(_SOFT, Scheme(10, 0.1), permeability=1e-5),
-    ),
+    "undrained": Drawn("porous blocks, steps a thousandth of the time of drainage", Blocks(permeability=1e-5)),
     "undrained-augmented": Drawn(
         "porous blocks, steps a thousandth of the time of drainage, augmented",
-        Blocks(auglag(1.0, 0.1, radius(0.5) + fluid(1.0)), Scheme(10, 0.1), permeability=1e-5),
+        Blocks(auglag(1.0, 0.1, NEAR + fluid(1.0)), permeability=1e-5),
     ),
     "undrained-load": Drawn(
         "porous blocks with a very low permeability under a sudden pressure",
-        Blocks(_SOFT, Scheme(10, 0.1), load=0.05, curve=4, permeability=1e-6),
+        Blocks(load=0.05, curve=4, permeability=1e-6),
     ),
     "biphasic-slides-friction-bfgs": Drawn(
-        "porous blocks slide, friction 0.2, BFGS",
-        Blocks(auto(1.0, radius(0.5) + fluid(1.0) + friction(0.2)), Scheme(20, updates=10), way=0.4),
+        "porous blocks slide, friction 0.2, BFGS", Blocks(USUALLY + friction(0.2), Scheme(20, updates=10), way=0.4)
     ),
     "biphasic-slides-two-pass-tet4": Drawn(
-        "porous tetrahedra slide, two passes",
-        Blocks(auto(1.0, radius(0.5) + fluid(1.0) + TWO_PASS), Scheme(20), "tet4", way=0.4),
+        "porous tetrahedra slide, two passes", Blocks(USUALLY + TWO_PASS, Scheme(20), "tet4", way=0.4)
     ),
     "biphasic-tet10-broyden": Drawn(
-        "porous tet10, Broyden", Blocks(_SOFT, Scheme(10, method="Broyden", updates=10), "tet10")
+        "porous tet10, Broyden", Blocks(scheme=Scheme(method="Broyden", updates=10), element="tet10")
     ),
     "biphasic-load-augmented": Drawn(
         "porous blocks under a pressure, AUGLAG with a small penalty",
-        Blocks(auglag(0.1, 0.1, radius(0.5) + fluid(0.1)), load=0.05),
+        Blocks(auglag(0.1, 0.1, NEAR + fluid(0.1)), load=0.05),
     ),
-    "biphasic-punch": Drawn(
-        "a rigid cylinder under a force creeps into a porous layer", partial(punch, _SOFT, Scheme(20))
-    ),
+    "biphasic-punch": Drawn("a rigid cylinder under a force creeps into a porous layer", punch),
     "biphasic-punch-bfgs": Drawn(
         "a rigid cylinder creeps into a porous layer, the cylinder as primary surface, BFGS",
-        partial(punch, _SOFT, Scheme(20, updates=10), first="punch"),
+        partial(punch, updates=10, first="punch"),
     ),
     "biphasic-punch-outside": Drawn(
-        "a rigid cylinder creeps into a porous layer, whole outside",
-        partial(punch, _SOFT, Scheme(20), face="outside"),
+        "a rigid cylinder creeps into a porous layer, whole outside", partial(punch, face="outside")
     ),
-    "solute-two-pass": Drawn(
-        "a solute crosses, two passes",
-        Blocks(auto(1.0, radius(0.5) + fluid(1.0, 1.0) + TWO_PASS), solute=True),
-    ),
+    "solute-two-pass": Drawn("a solute crosses, two passes", Blocks(_SALT + TWO_PASS, solute=True)),
     "solute-slides-tet10": Drawn(
-        "a solute crosses between sliding tet10",
-        Blocks(_SALT, Scheme(20), "tet10", way=0.3, solute=True),
+        "a solute crosses between sliding tet10", Blocks(_SALT, Scheme(20), "tet10", way=0.3, solute=True)
     ),
     "solute-load-bfgs": Drawn(
-        "a solute crosses under a pressure, BFGS",
-        Blocks(_SALT, Scheme(10, updates=10), load=0.02, solute=True),
+        "a solute crosses under a pressure, BFGS", Blocks(_SALT, Scheme(updates=10), load=0.02, solute=True)
     ),
     "solute-augmented": Drawn(
         "a solute crosses, AUGLAG with a small penalty",
-        Blocks(auglag(0.2, 0.1, radius(0.5) + fluid(0.2, 0.2)), solute=True, way=0.3, scheme=Scheme(20)),
+        Blocks(auglag(0.2, 0.1, NEAR + fluid(0.2, 0.2)), solute=True, way=0.3, scheme=Scheme(20)),
     ),
 }
 """By name."""

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import Place, arc, box, bulged, mapped, shifted, turned
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.models.small import Scheme, fixed, moved
+from studies.synthetic_scenes.reported.shapes import arc, box, bulged, mapped, shifted, turned
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -32,8 +32,8 @@ BFGS = Scheme(20, updates=10)
 class Blocks:
     """A block with a flat or a slightly curved lower face is pressed into a longer one, and slides."""
 
-    material: Material
-    params: str
+    material: Material = field(default_factory=neo)
+    params: str = auto(1.0)
     element: str = "hex8"
     scheme: Scheme = Scheme(20)
     way: float = 0.5
@@ -44,9 +44,7 @@ class Blocks:
         """The model."""
         quadratic = self.element in ("hex20", "hex27", "tet10", "tet15", "penta15")
         low, high = ((6, 3, 2), (4, 2, 2)) if quadratic else ((10, 4, 3), (7, 3, 3))
-
         above = bulged(box((-0.8, -0.4, 0.01), (0.8, 0.4, 0.9)), lambda x: self.round_face * x[:, 0] ** 2)
-
         return Sketch(
             {
                 "low": mapped(low, box((-1.6, -0.5, -0.8), (1.8, 0.5, 0.0)), self.element),
@@ -64,11 +62,6 @@ class Blocks:
         )
 
 
-def _groove(radius_of: float, depth: float, half: float) -> Place:
-    """Concave upwards: x inwards, so that its face is x0 of the arc."""
-    return turned(arc(radius_of, radius_of + depth, 2.0, (270.0 - half, 270.0 + half)), "x", 90.0)
-
-
 @dataclass(frozen=True)
 class Groove:
     """A cylinder is pressed into a groove of a radius a tenth larger, and turns or slides along it."""
@@ -83,15 +76,14 @@ class Groove:
 
     def __call__(self) -> Sketch:
         """The model."""
-        big = 1.1
-        held = shifted(turned(arc(0.5, 1.0, 1.6, (210.0, 330.0)), "x", 90.0), (0.0, 0.0, -(big - 1.0) + 0.01))
+        held = shifted(turned(arc(0.5, 1.0, 1.6, (210.0, 330.0)), "x", 90.0), (0.0, 0.0, -(1.1 - 1.0) + 0.01))
+        groove = turned(arc(1.1, 1.1 + 0.6, 2.0, (210.0, 330.0)), "x", 90.0)  # concave upwards: its face is x0
         cells = ((1, 8, 3), (1, 7, 3)) if self.element in ("hex20", "tet10") else ((3, 12, 4), (3, 10, 4))
         secondary = "groove-x0" if self.primary == "cylinder-x1" else "cylinder-x1"
         material = biphasic() if self.porous else neo()
-        open_sides = [drained(name) for name in ("groove-x1", "cylinder-x0")] if self.porous else []
         return Sketch(
             {
-                "groove": mapped(cells[0], _groove(big, 0.6, 60.0), self.element),
+                "groove": mapped(cells[0], groove, self.element),
                 "cylinder": mapped(cells[1], held, self.element),
             },
             {"groove": material, "cylinder": material},
@@ -101,7 +93,7 @@ class Groove:
                 fixed("cylinder-x0", "x") if not self.slides else moved("cylinder-x0", "x", 0.15, 2),
                 fixed("cylinder-x0", "y"),
                 moved("cylinder-x0", "z", -0.12),
-                *open_sides,
+                *(drained(name) for name in ("groove-x1", "cylinder-x0") if self.porous),
             ),
             Scheme(20 if self.slides else 10, updates=self.updates),
             module="biphasic" if self.porous else "solid",
@@ -116,30 +108,31 @@ SCENES: Mapping[str, Drawn] = {
         "Mooney-Rivlin blocks slide, two passes, a factor of 0.1, BFGS",
         Blocks(mooney(), auto(0.1, TWO_PASS), scheme=BFGS),
     ),
-    "mooney-slides-hex20": Drawn("Mooney-Rivlin blocks of hex20", Blocks(mooney(), auto(1.0), "hex20")),
-    "ogden-slides": Drawn("Ogden blocks slide", Blocks(ogden(), auto(1.0))),
+    "mooney-slides-hex20": Drawn("Mooney-Rivlin blocks of hex20", Blocks(mooney(), element="hex20")),
+    "ogden-slides": Drawn("Ogden blocks slide", Blocks(ogden())),
     "ogden-slides-friction-augmented": Drawn(
-        "Ogden blocks, friction 0.3, AUGLAG with a small penalty",
-        Blocks(ogden(), auglag(0.1, 0.1, friction(0.3))),
+        "Ogden blocks, friction 0.3, AUGLAG with a small penalty", Blocks(ogden(), auglag(0.1, 0.1, friction(0.3)))
     ),
     "ogden-slides-to-and-fro": Drawn(
         "Ogden blocks slide back and forth, friction 0.2, two passes",
         Blocks(ogden(), auto(1.0, friction(0.2) + TWO_PASS), way=0.4, back=True),
     ),
     "slides-over-the-edge": Drawn(
-        "a block slides until half of it projects over an edge", Blocks(neo(), auto(2.0), way=1.9)
+        "a block slides until half of it projects over an edge", Blocks(params=auto(2.0), way=1.9)
     ),
-    "slides-tet15": Drawn("blocks of tet15 slide", Blocks(neo(), auto(1.0), "tet15")),
-    "slides-penta15": Drawn("wedges of 15 nodes slide", Blocks(neo(), auto(1.0), "penta15")),
+    "slides-tet15": Drawn("blocks of tet15 slide", Blocks(element="tet15")),
+    "slides-penta15": Drawn("wedges of 15 nodes slide", Blocks(element="penta15")),
     "slides-hex27-broyden": Drawn(
-        "blocks of hex27 slide, Broyden", Blocks(neo(), auto(1.0), "hex27", Scheme(20, method="Broyden", updates=10))
+        "blocks of hex27 slide, Broyden", Blocks(element="hex27", scheme=Scheme(20, method="Broyden", updates=10))
     ),
-    "slides-penta6-friction": Drawn("wedges slide, friction 0.2", Blocks(neo(), auto(1.0, friction(0.2)), "penta6")),
+    "slides-penta6-friction": Drawn(
+        "wedges slide, friction 0.2", Blocks(params=auto(1.0, friction(0.2)), element="penta6")
+    ),
     "slides-tet4-friction-bfgs": Drawn(
-        "tetrahedra slide, friction 0.2, BFGS", Blocks(neo(), auto(1.0, friction(0.2)), "tet4", BFGS)
+        "tetrahedra slide, friction 0.2, BFGS", Blocks(params=auto(1.0, friction(0.2)), element="tet4", scheme=BFGS)
     ),
     "round-slides-two-pass": Drawn(
-        "a round face slides on a slab, two passes", Blocks(neo(), auto(1.0, TWO_PASS), round_face=0.2)
+        "a round face slides on a slab, two passes", Blocks(params=auto(1.0, TWO_PASS), round_face=0.2)
     ),
     "round-drags-augmented-broyden": Drawn(
         "a round face is pulled sideways, friction 0.015, augmented, Broyden, fixed steps",
@@ -154,8 +147,7 @@ SCENES: Mapping[str, Drawn] = {
         "incongruent cylinders, two passes, numerical penalty", Groove(given(5.0, TWO_PASS + NEAR))
     ),
     "groove-two-pass-slides": Drawn(
-        "incongruent cylinders slide, two passes, numerical penalty",
-        Groove(given(5.0, TWO_PASS + NEAR), slides=True),
+        "incongruent cylinders slide, two passes, numerical penalty", Groove(given(5.0, TWO_PASS + NEAR), slides=True)
     ),
     "groove-hex20": Drawn("incongruent cylinders of hex20", Groove(auto(1.0, NEAR), "hex20")),
     "groove-tet4-facets": Drawn(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
-from studies.models.small import fixed, moved
+from studies.models.small import Scheme, fixed, moved
 from studies.synthetic_scenes.reported.shapes import arc, mapped, shifted, turned
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -27,6 +27,8 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.3)
+USUALLY = auto(1.0, NEAR)
+"""Parameters of a contact that a scene does not say otherwise."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,7 @@ class RodInTube:
 
     sides: tuple[str, str] = ("x1", "x0")
     element: str = "hex8"
-    params: str = ""
+    params: str = auto(5.0, NEAR)
     slides: bool = False
     outer: float = 1.0
     updates: int = 0
@@ -49,24 +51,24 @@ class RodInTube:
         return Sketch(
             {"rod": mapped(cells[0], rod, self.element), "tube": mapped(cells[1], tube, self.element)},
             {"rod": neo(2.0), "tube": neo(1.0)},
-            (Touch(f"rod-{self.sides[0]}", f"tube-{self.sides[1]}", params=self.params or auto(5.0, NEAR)),),
+            (Touch(f"rod-{self.sides[0]}", f"tube-{self.sides[1]}", params=self.params),),
             (fixed("tube-x1"), *(fixed(end, "y") for end in ends), *(moved(end, "x", 0.15) for end in ends), *drawn),
             Scheme(20 if self.slides else 10, updates=self.updates),
         )
 
 
-def rigid_rod_in_tube(primary: str, secondary: str) -> Sketch:
+def rigid_rod_in_tube(primary: str = "tube-x0", secondary: str = "rod-x1") -> Sketch:
     """A rigid rod falls by a force onto the inside of a soft tube."""
     rod = shifted(arc(0.4, 0.9, 3.0), (0.125, 0, 0))
     return Sketch(
         {"rod": mapped((1, 24, 4), rod), "tube": mapped((2, 24, 4), arc(1.02, 1.6, 2.4))},
         {"rod": rigid((0.125, 0, 0)), "tube": neo(1.0)},
-        (Touch(primary, secondary, params=auto(1.0, NEAR)),),
+        (Touch(primary, secondary, params=USUALLY),),
         (fixed("tube-x1"), hold("rod", "yzuvw"), push("rod", "x", 0.3)),
     )
 
 
-def ring_grows(params: str, updates: int = 0) -> Sketch:
+def ring_grows(params: str = USUALLY, updates: int = 0) -> Sketch:
     """A thin ring is blown up by a pressure until it bears on a tube; both are quarters."""
     quarter = (0.0, 90.0)
     symmetry = [fixed(f"{b}-{s}", d) for b in ("ring", "tube") for s, d in (("y0", "y"), ("y1", "x"))]
@@ -86,8 +88,8 @@ def ring_grows(params: str, updates: int = 0) -> Sketch:
 class Crossed:
     """A tube along x is pressed onto one along y; outsides are x1."""
 
-    material: Material
-    params: str
+    material: Material = field(default_factory=mooney)
+    params: str = USUALLY
     element: str = "hex8"
     side: str = "x1"
     updates: int = 0
@@ -126,43 +128,35 @@ SCENES: Mapping[str, Drawn] = {
         RodInTube(params=auto(2.0, NEAR + friction(0.2)), slides=True),
     ),
     "rod-in-tube-two-pass-bfgs": Drawn(
-        "a rod is pulled along a tube, two passes, BFGS",
-        RodInTube(params=auto(1.0, NEAR + TWO_PASS), slides=True, updates=10),
+        "a rod is pulled along a tube, two passes, BFGS", RodInTube(params=USUALLY + TWO_PASS, slides=True, updates=10)
     ),
-    "press-fit": Drawn("a rod that is wider than its tube at the start", RodInTube(outer=1.05, params=auto(1.0, NEAR))),
-    "rigid-rod-in-tube": Drawn(
-        "a rigid rod under a force in a soft tube", partial(rigid_rod_in_tube, "tube-x0", "rod-x1")
-    ),
+    "press-fit": Drawn("a rod that is wider than its tube at the start", RodInTube(outer=1.05, params=USUALLY)),
+    "rigid-rod-in-tube": Drawn("a rigid rod under a force in a soft tube", rigid_rod_in_tube),
     "rigid-rod-in-tube-outsides": Drawn(
         "a rigid rod under a force in a soft tube, whole outsides",
         partial(rigid_rod_in_tube, "tube-outside", "rod-outside"),
     ),
-    "ring-grows": Drawn("a ring expands against a tube", partial(ring_grows, auto(1.0, NEAR))),
+    "ring-grows": Drawn("a ring expands against a tube", ring_grows),
     "ring-grows-augmented-bfgs": Drawn(
         "a ring expands against a tube, AUGLAG with a small penalty, BFGS",
         partial(ring_grows, auglag(0.2, 0.1, NEAR), 10),
     ),
     "crossed-tubes-two-pass": Drawn(
-        "crossed Mooney-Rivlin tubes, two passes, numerical penalty",
-        Crossed(mooney(), given(5.0, TWO_PASS + NEAR)),
+        "crossed Mooney-Rivlin tubes, two passes, numerical penalty", Crossed(params=given(5.0, TWO_PASS + NEAR))
     ),
     "crossed-tubes-two-pass-bfgs": Drawn(
         "crossed Mooney-Rivlin tubes, two passes, numerical penalty, BFGS",
-        Crossed(mooney(), given(5.0, TWO_PASS + NEAR), updates=10),
+        Crossed(params=given(5.0, TWO_PASS + NEAR), updates=10),
     ),
-    "crossed-tubes-ogden": Drawn("crossed Ogden tubes", Crossed(ogden(), auto(1.0, NEAR))),
-    "crossed-tubes-tet10": Drawn("crossed tubes of tet10", Crossed(neo(), auto(1.0, NEAR), "tet10")),
+    "crossed-tubes-ogden": Drawn("crossed Ogden tubes", Crossed(ogden())),
+    "crossed-tubes-tet10": Drawn("crossed tubes of tet10", Crossed(neo(), element="tet10")),
     "crossed-tubes-friction-augmented": Drawn(
         "crossed tubes slide, friction 0.2, AUGLAG with a small penalty",
-        Crossed(mooney(), auglag(0.2, 0.1, NEAR + friction(0.2)), slides=True),
+        Crossed(params=auglag(0.2, 0.1, NEAR + friction(0.2)), slides=True),
     ),
-    "crossed-tubes-outsides": Drawn(
-        "crossed tubes, whole outsides, including the insides",
-        Crossed(mooney(), auto(1.0, NEAR), side="outside"),
-    ),
+    "crossed-tubes-outsides": Drawn("crossed tubes, whole outsides, including the insides", Crossed(side="outside")),
     "crossed-tubes-two-pass-deep": Drawn(
-        "crossed Mooney-Rivlin tubes, two passes, pressed flat",
-        Crossed(mooney(), auto(1.0, TWO_PASS + NEAR), depth=0.9),
+        "crossed Mooney-Rivlin tubes, two passes, pressed flat", Crossed(params=auto(1.0, TWO_PASS + NEAR), depth=0.9)
     ),
 }
 """By name."""
