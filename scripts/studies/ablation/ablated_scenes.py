@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from harness.models.document import Model
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.price import joints
@@ -27,12 +28,8 @@ class AblatedScene:
     """Writes the model into a folder, and returns its path."""
 
 
-def _write_joint(scene: joints.Scene, folder: Path) -> Path:
-    return scene.model().write(folder)
-
-
-def _write_hard_case(name: str, folder: Path) -> Path:
-    return CASES[name].scene.model(Fineness.COARSE, Interface.MIXTURE).write(folder)
+def _write(make: Callable[[], Model], folder: Path) -> Path:
+    return make().write(folder)
 
 
 def _write_converted(name: str, scene: Written, folder: Path) -> Path:
@@ -46,8 +43,13 @@ def _converted(kind: str, scenes: Mapping[str, Written]) -> Mapping[str, Ablated
 
 
 SCENES: Mapping[str, AblatedScene] = {
-    **{f"{JOINT}: {name}": AblatedScene(JOINT, partial(_write_joint, scene)) for name, scene in joints.SCENES.items()},
-    **{f"{HARD_CASE}: {name}": AblatedScene(HARD_CASE, partial(_write_hard_case, name)) for name in CASES},
+    **{f"{JOINT}: {name}": AblatedScene(JOINT, partial(_write, scene.model)) for name, scene in joints.SCENES.items()},
+    **{
+        f"{HARD_CASE}: {name}": AblatedScene(
+            HARD_CASE, partial(_write, partial(case.scene.model, Fineness.COARSE, Interface.MIXTURE))
+        )
+        for name, case in CASES.items()
+    },
     **_converted(SYNTHETIC, all_scenes.SCENES),
     **_converted(REPORT, REPORTED),
 }

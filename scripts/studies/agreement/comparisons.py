@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from harness.conversion import convert
 from harness.errors import EngineFailedError
@@ -66,7 +65,10 @@ def compare(name: str, folder: Path, limit: float, announce: Callable[[str], Non
             announce(f"{name}, mesh {f}, {interface}")
             found[f, interface] = _run(model, folder / name / str(f), interface, limit, moved=moved)
     places = {f: quantities.at_nodes_of(models[meshes[0]], model) for f, model in models.items()}
-    common = {key: _picked(state, places[key[0]]) for key, state in found.items()}
+    common = {
+        (f, who): State(state.scalars, {name: field[places[f]] for name, field in state.fields.items()})
+        for (f, who), state in found.items()
+    }
     theirs, ours = (common[meshes[-1], interface] for interface in (FEBIO, OURS))
     return [row for (f, who), state in common.items() for row in _rows(name, f, who, state, (theirs, ours))]
 
@@ -92,10 +94,6 @@ def _run(model: Model, folder: Path, interface: str, limit: float, *, moved: boo
     primary = model.mesh.pairs[model.contacts[0].pair][0]
     facets = logdata.read_history(path.parent / model.facet_file(primary), quantities.FACETS)
     return quantities.state(model, nodes, facets, moved=moved)
-
-
-def _picked(state: State, places: NDArray[np.int64]) -> State:
-    return State(state.scalars, {name: field[places] for name, field in state.fields.items()})
 
 
 def _rows(name: str, fineness: int, who: str, state: State, finest: Sequence[State]) -> list[Row]:

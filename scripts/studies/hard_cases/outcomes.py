@@ -77,6 +77,7 @@ class Outcome(Attempt):
         return f"{self.iterations} ({self.retries})" if self.retries else f"{self.iterations}"
 
 
+_MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}
 Table = dict[tuple[str, str], dict[str, Outcome]]
 """By case and mesh, then by interface."""
 
@@ -118,14 +119,7 @@ def table(outcomes: Sequence[Outcome], about: dict[str, str]) -> str:
     heads = ["case", "mesh", *HEADINGS.values(), "better in FEBio's"]
     rows = []
     for (case, mesh), row in arranged(outcomes).items():
-        cells = [_cell(row[name]) if name in row else "not run" for name in HEADINGS]
+        cells = [f"{_MARKS[row[name].end]}{row[name].short}" if name in row else "not run" for name in HEADINGS]
         best = ", ".join(f"{run.short} with {HEADINGS[run.interface].split(', ')[1]}" for run in better(row))
         rows.append((about[case], mesh, *cells, best))
     return tables.markdown(heads, rows)
-
-
-_MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}
-
-
-def _cell(outcome: Outcome) -> str:
-    return f"{_MARKS[outcome.end]}{outcome.short}"

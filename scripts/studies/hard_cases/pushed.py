@@ -18,10 +18,8 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
-from studies.models.assembly import box
+from studies.models.assembly import NEAR, box, plane
 from studies.models.pieces import Motion, driven
-
-NEAR = 1e-9
 
 
 @dataclass(frozen=True)
@@ -37,11 +35,7 @@ class Shape:
 
 def faces(body: Body, axes: str, ends: float) -> Ids:
     """Outer facets of a box whose position along one of `axes` is `ends` (mm)."""
-    return np.concatenate([_face(body, "xyz".index(axis), ends) for axis in axes])
-
-
-def _face(body: Body, axis: int, end: float) -> Ids:
-    return blocks.facets_where(body, lambda x: np.abs(x[..., axis] - end) < NEAR)
+    return np.concatenate([blocks.facets_where(body, plane(axis, ends).inside) for axis in axes])
 
 
 def turned(shape: Shape, rotation: Array, shift: Array) -> Shape:

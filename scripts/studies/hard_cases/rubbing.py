@@ -13,7 +13,6 @@ from harness.run.runner import RunResult
 from studies.closed_forms import incline
 from studies.hard_cases.catalogue import CORNER, CURVED, PRESSED, slider, spinner, wedge
 from studies.hard_cases.pushed import Pushed, Shape, along, grip_force, slab, spinning
-from studies.models.pieces import Motion
 
 FRICTION, SOLID_FRACTION = 0.3, 0.1
 """mu_eq and phi of the cases that do not say otherwise."""
@@ -85,11 +84,6 @@ def _slide(
     """A block on a track."""
     bounds = partial(held_back, friction=friction, least=least)
     return Pushed(track, block, along(path), times, bounds, extra=rubs(friction, solid_fraction))
-
-
-def _with(scene: Pushed, motion: Motion, times: tuple[float, ...]) -> Pushed:
-    """A scene of the frictionless hard cases with friction, its own motion and times."""
-    return replace(scene, motion=motion, times=times, bounds=free, extra=(*scene.extra, *rubs()))
 
 
 def _zigzag(start: float, period: float, cycles: int, way: float, depth: float) -> Path:
@@ -180,7 +174,10 @@ CASES: dict[str, Rubbing] = {
         ),
     ),
     "corner": Rubbing(
-        "a corner pressed into a face and drawn along it", _with(CORNER, along(DOWN_AND_ALONG), every(50.0, 2000.0))
+        "a corner pressed into a face and drawn along it",
+        replace(
+            CORNER, motion=along(DOWN_AND_ALONG), times=every(50.0, 2000.0), bounds=free, extra=(*CORNER.extra, *rubs())
+        ),
     ),
     "fast-and-drained": Rubbing(
         "phi = 0.5, pressed at once, and sliding until the load has drained",

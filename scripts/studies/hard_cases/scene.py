@@ -62,10 +62,13 @@ class Interface(str, Enum):
     def settings(self, module: str, scale: float = 1.0) -> ContactSettings:
         """Parameters of the interface, with all penalties times `scale`.
 
-        FEBio's interfaces get their non-symmetric tangent, and a search radius below the size of a body.
+        The plugin's default factors are 1e3 on the stiffness and 1e5 on the conductances. FEBio's interfaces get their
+        non-symmetric tangent, and a search radius below the size of a body.
         """
         if self.ours:
-            own = ContactSettings() if scale == 1.0 else _scaled_defaults(scale)
+            own = (
+                ContactSettings() if scale == 1.0 else replace(automatic(1e5 * scale), laugon=None, penalty=1e3 * scale)
+            )
             return replace(own, extra=(PREDICTOR,)) if self is Interface.PREDICTED else own
         given = automatic((1.0 if self is Interface.FEBIO_1 else 1000.0) * scale)
         fair = replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
@@ -85,13 +88,6 @@ class Interface(str, Enum):
             settings = replace(settings, laugon="AUGLAG", tolerance=augmented)
         params = (*settings.params(), *extra)
         return tuple(Contact(self.contact_type(module).value, pair, params) for pair in mesh.pairs)
-
-
-def _scaled_defaults(scale: float) -> ContactSettings:
-    """The plugin's default factors, 1e3 on the stiffness and 1e5 on the conductances, times `scale`."""
-    return ContactSettings(
-        auto_penalty=True, penalty=1e3 * scale, pressure_penalty=1e5 * scale, concentration_penalty=1e5 * scale
-    )
 
 
 UNDERSHOOT = 2.0 - 3.0**0.5

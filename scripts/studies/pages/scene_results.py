@@ -26,17 +26,8 @@ FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit"
 MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
 COLUMNS = (
-    *(
-        "scene",
-        "description",
-        "FEBio",
-        "converted",
-        "displacements differ by",
-        "fields differ by",
-        "penalties deleted",
-        "with `predictor` 1",
-    ),
-    "worse in",
+    *("scene", "description", "FEBio", "converted", "displacements differ by", "fields differ by"),
+    *("penalties deleted", "with `predictor` 1", "worse in"),
 )
 AT_LIMIT = "ended by the limit"
 """Why a run did not end that took all of its processor time."""
@@ -147,16 +138,15 @@ def table(rows: Sequence[Row]) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
+    apart = (_number(row.converted.difference), _number(row.converted.of_fields))
+    found = worse(row, {"converted": "converted", "defaults": "penalties deleted"})
     return (
         row.name,
         row.about,
-        cell(row.febio),
-        cell(row.converted),
-        _number(row.converted.difference),
-        _number(row.converted.of_fields),
-        cell(row.defaults),
-        cell(row.predicted),
-        worse(row, {"converted": "converted", "defaults": "penalties deleted"}),
+        *map(cell, (row.febio, row.converted)),
+        *apart,
+        *map(cell, (row.defaults, row.predicted)),
+        found,
     )
 
 
@@ -228,12 +218,8 @@ def _predictor(rows: Sequence[Row]) -> str:
 
 def _limit(rows: Sequence[Row]) -> str:
     """Which runs the limit ended."""
-    ways = {
-        "FEBio's": "febio",
-        "converted": "converted",
-        "penalties deleted": "defaults",
-        "with the predictor": "predicted",
-    }
-    counts = {name: sum(getattr(row, way).at_limit for row in rows) for name, way in ways.items()}
-    told = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
+    ways = ("febio", "converted", "defaults", "predicted")
+    counts = [sum(getattr(row, way).at_limit for row in rows) for way in ways]
+    names = ("FEBio's", "converted", "penalties deleted", "with the predictor")
+    told = ", ".join(f"{name} {count}" for name, count in zip(names, counts, strict=True) if count)
     return f"The limit stopped runs: {told}." if told else "The limit stopped no run."

@@ -70,12 +70,8 @@ def make(root: Path, checks: Sequence[Check]) -> Iterator[Section]:
     for check in checks:
         recorder = Recorder(root)
         measures = check.run(Context(recorder))
-        yield _section(check, measures, recorder.results_)
-
-
-def _section(check: Check, measures: list[Measure], results_: list[RunResult]) -> Section:
-    unique = {result.folder: result for result in results_}
-    return Section(check.name, check.about, measures, [_run(result) for result in unique.values()])
+        unique = {result.folder: result for result in recorder.results_}
+        yield Section(check.name, check.about, measures, [_run(result) for result in unique.values()])
 
 
 def _run(result: RunResult) -> Run:
@@ -138,21 +134,15 @@ def read(folder: Path) -> Report:
 
 def page(report: Report) -> str:
     """The text of the page."""
-    introduction = _INTRODUCTION.format(stamp=report.stamp)
-    return "\n\n".join([introduction, *(_text(section) for section in report.sections)]) + "\n"
-
-
-_INTRODUCTION = page_text("verification").rstrip()
+    introduction = page_text("verification").rstrip().format(stamp=report.stamp)
+    return "\n\n".join([introduction, *map(_text, report.sections)]) + "\n"
 
 
 def _text(section: Section) -> str:
     """One check. Its command repeats it alone; what needs no run has no table of runs."""
-    parts = [f"## {section.name}", section.about, _command(section), _measures(section.measures)]
+    command = f"```console\nscripts/mixcontact validate --only {section.name}\n```"
+    parts = [f"## {section.name}", section.about, command, _measures(section.measures)]
     return "\n\n".join(parts + ([_runs(section.runs)] if section.runs else []))
-
-
-def _command(section: Section) -> str:
-    return f"```console\nscripts/mixcontact validate --only {section.name}\n```"
 
 
 def _measures(measures: list[Measure]) -> str:

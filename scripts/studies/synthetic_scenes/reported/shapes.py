@@ -111,7 +111,7 @@ def _is_right_handed(nodes: Nodes, element: str) -> bool:
 
 def _faces(unit: Nodes, rows: Facets, element: str) -> list[tuple[str, tuple[int, ...]]]:
     """Every face of every element, with the side of the unit cube that it lies in, or an empty name."""
-    corners = _corners_of(element)
+    corners = {"hex": 8, "tet": 4, "pen": 6}[element[:3]]
     found = []
     for row in rows:
         middle = dict(zip((frozenset(group) for group in MIDDLES[element]), row[corners:], strict=True))
@@ -121,10 +121,6 @@ def _faces(unit: Nodes, rows: Facets, element: str) -> list[tuple[str, tuple[int
             added = [n for n in (*ends, centre) if n is not None]
             found.append((_side(unit[[row[k] for k in face]]), (*(row[k] for k in face), *added)))
     return found
-
-
-def _corners_of(element: str) -> int:
-    return {"hex": 8, "tet": 4, "pen": 6}[element[:3]]
 
 
 def _side(points: Nodes) -> str:
