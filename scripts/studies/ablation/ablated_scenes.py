@@ -11,7 +11,7 @@ from harness.models.document import Model
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.price import joints
-from studies.synthetic_scenes import all_scenes, comparison
+from studies.synthetic_scenes import collections_of_scenes, comparison
 from studies.synthetic_scenes.comparison import Written
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 
@@ -50,7 +50,7 @@ SCENES: Mapping[str, AblatedScene] = {
         )
         for name, case in CASES.items()
     },
-    **_converted(SYNTHETIC, all_scenes.SCENES),
+    **_converted(SYNTHETIC, collections_of_scenes.SCENES),
     **_converted(REPORT, REPORTED),
 }
 """By name."""

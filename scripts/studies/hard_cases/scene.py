@@ -14,7 +14,7 @@ from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Pa
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.models import pieces
-from studies.models.pieces import PREDICTOR
+from studies.models.pieces import PREDICTOR, UNCLAMPED
 
 GEL = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, 5e-4, 5e-4),))
 """E = 1 MPa, nu = 0, k = 1e-3 mm^4/(N s), d = d0 = 5e-4 mm^2/s, phi_w = 0.8.
@@ -143,7 +143,7 @@ def finished(model: Model, interface: Interface) -> Model:
     without, makes solute from nothing.
     """
     flows = FLOWS[:4] + tuple(f"contact solute flow {k + 1}" for k in range(model.n_solutes))
-    unclamped = (Param("force_positive_concentrations", False),) if model.module == "multiphasic" else ()
+    unclamped = UNCLAMPED if model.module == "multiphasic" else ()
     return replace(
         model,
         control=replace(model.control, solver=unclamped),

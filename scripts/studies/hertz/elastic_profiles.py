@@ -13,7 +13,6 @@ from studies.closed_forms import hertz
 from studies.models import elastic_hertz, partial_slip
 from studies.models.elastic_hertz import ElasticHertz
 from studies.models.partial_slip import PartialSlip
-from studies.post import half_ellipse
 
 WITHIN = 0.8
 """Part of the half-width or radius that closed forms are fitted in: facets at the edge are in contact in part."""
@@ -76,7 +75,7 @@ def errors(rows: Sequence[ProfileRow]) -> tuple[float, float]:
     facets within `WITHIN` of the closed form's a.
     """
     place, pressure = np.array([(row.place, row.pressure) for row in rows if row.place < WITHIN * row.radius]).T
-    fitted = half_ellipse.through(place, pressure)
+    fitted = hertz.half_ellipse_through(place, pressure)
     return fitted.half_width / rows[0].radius - 1.0, fitted.peak / rows[0].peak - 1.0
 
 

@@ -108,6 +108,13 @@ def box(low: Sequence[float], high: Sequence[float], elements: Sequence[int]) ->
     return tensor([np.linspace(a, b, n + 1) for a, b, n in zip(low, high, elements, strict=True)])
 
 
+def raised(body: Body, axis: str, rise: Callable[[Points], NDArray[np.float64]]) -> Body:
+    """The same body with its nodes moved along an axis by a function (mm) of their positions."""
+    nodes = body.nodes.copy()
+    nodes[:, "xyz".index(axis)] += rise(nodes)
+    return Body(nodes, body.elements)
+
+
 def tensor(lines: Sequence[NDArray[np.float64]]) -> Body:
     """A box with a node at each combination of positions (mm) along x, y and z."""
     return blocks.structured(np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1))

@@ -16,7 +16,6 @@ from harness.models.parts import (
     Control,
     Curve,
     Elastic,
-    Material,
     Mixture,
     Param,
     Solid,
@@ -69,29 +68,23 @@ class BallInSocket:
 
     def model(self) -> Model:
         """The model of these choices."""
-        mesh, material = self._mesh(), self._material()
+        material = Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
+        stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
+        steps = (2 if self.slides else 1) * self.steps
         interface = InterfaceType.ours_in([self.contact])
         what = "biphasic tissue" if self.porous else "elastic tissue"
         return Model(
             self.name,
             header(self.name, ABOUT.format(material=what, pressed=PRESSED, slid=SLID if self.slides else 0), interface),
             "biphasic" if self.porous else "solid",
-            mesh,
+            self._mesh(),
             {"ball": material, "socket": material},
             self._conditions(),
-            self._control(),
+            Control(steps, 1.0, reformations=25, stepper=stepper, updates=self.updates),
             (Contact(self.contact, "joint", self.params),),
             (Curve(((0.0, 0.0), (self.steps, 1.0))), Curve(((self.steps, 0.0), (2.0 * self.steps, 1.0)))),
             plot=self.plot,
         )
-
-    def _control(self) -> Control:
-        steps = (2 if self.slides else 1) * self.steps
-        stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
-        return Control(steps, 1.0, reformations=25, stepper=stepper, updates=self.updates)
-
-    def _material(self) -> Material:
-        return Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
 
     def _conditions(self) -> tuple[Condition, ...]:
         held = (*hold("socket-bone", "xyz"), *hold("ball-bone", "y" if self.slides else "xy"))

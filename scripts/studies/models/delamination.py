@@ -54,7 +54,7 @@ CONTROL = Control(
     DURATION / 60,
     displacement_tolerance=1e-6,
     reformations=150,
-    solver=(*UNCLAMPED.solver, Param("lstol", 0.0)),
+    solver=(*UNCLAMPED, Param("lstol", 0.0)),
 )
 
 ABOUT = """\
@@ -99,7 +99,7 @@ class Delamination:
         return Model(
             self.name,
             header(self.name, ABOUT, self.interface),
-            UNCLAMPED.module,
+            "multiphasic",
             mesh,
             {"layer": CARTILAGE, "bone": BONE},
             conditions,

@@ -14,7 +14,7 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
-from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, refined, tensor
+from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, raised, refined, tensor
 from studies.models.pieces import hold, with_friction
 
 Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]
@@ -94,7 +94,9 @@ class PartialSlip:
             "block": Chosen("block", _near_contact(np.zeros_like)),
             "cylinder": Chosen("cylinder", _near_contact(_profile)),
         }
-        bodies = {"block": self._block(-1.0), "cylinder": _rounded(self._block(1.0))}
+        # The lower face of the cylinder is round; its top stays.
+        cylinder = raised(self._block(1.0), "z", lambda x: _profile(x[..., 0]) * (1.0 - x[..., 2] / SIZE))
+        bodies = {"block": self._block(-1.0), "cylinder": cylinder}
         return assembled(bodies, sets, surfaces, {"contact": ("cylinder", "block")})
 
     def _block(self, up: float) -> Body:
@@ -108,13 +110,6 @@ class PartialSlip:
 def _profile(x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Height of the cylinder over the block at first touch, mm."""
     return np.asarray(x**2 / (2.0 * RADIUS))
-
-
-def _rounded(body: Body) -> Body:
-    """A box whose lower face follows the cylinder; its top stays."""
-    nodes = body.nodes.copy()
-    nodes[:, 2] += _profile(nodes[:, 0]) * (1.0 - nodes[:, 2] / SIZE)
-    return Body(nodes, body.elements)
 
 
 def _outside(x: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -81,11 +81,11 @@ class Plug:
         return Model(
             self.name,
             header(self.name, ABOUT, self.interface),
-            UNCLAMPED.module,
+            "multiphasic",
             mesh,
             {"cartilage": CARTILAGE, "bone": BONE},
             conditions,
-            replace(self.control, solver=UNCLAMPED.solver),
+            replace(self.control, solver=UNCLAMPED),
             contacts(self.interface, mesh, self.settings),
             (Curve(((0.0, 0.0), (RAMP, 1.0))),),
             plot=self.plot,

@@ -9,7 +9,7 @@ from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
-from studies.models.pieces import with_friction
+from studies.models.pieces import UNCLAMPED, with_friction
 
 
 class Kind(str, Enum):
@@ -103,7 +103,7 @@ class ShearedBlocks:
         return (*held, *fluid, *dissolved)
 
     def _control(self, steps: int) -> parts.Control:
-        unclamped = (parts.Param("force_positive_concentrations", False),) if self.kind is Kind.SOLUTE else ()
+        unclamped = UNCLAMPED if self.kind is Kind.SOLUTE else ()
         return parts.Control(
             steps,
             STEP,

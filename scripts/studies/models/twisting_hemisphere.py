@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.arrays import Array
-from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
@@ -72,18 +71,14 @@ class TwistingHemisphere:
 
     def _mesh(self) -> Mesh:
         n = self.elements + 2
+        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, 3))
         bodies = {
             "block": box((-SIDE / 2, -SIDE / 2, 0.0), (SIDE / 2, SIDE / 2, SIDE), (n, n, n)),
-            "hemisphere": self._hemisphere(),
+            "hemisphere": replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER])),
         }
         sets = {"base": plane("z", 0.0, "block"), "grip": plane("z", SIDE + OUTER, "hemisphere")}
         surfaces = {"block": plane("z", SIDE, "block"), "hemisphere": sphere(OUTER, "hemisphere", SIDE + OUTER)}
         return assembled(bodies, sets, surfaces, {"contact": ("hemisphere", "block")})
-
-    def _hemisphere(self) -> Body:
-        """It touches z = SIDE."""
-        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, 3))
-        return replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER]))
 
 
 def angle(time: Array | float) -> Array:

@@ -11,7 +11,6 @@ from harness.post.compare import Measure
 from harness.run.runner import RunResult
 from studies.closed_forms import cattaneo_mindlin, hertz
 from studies.models.partial_slip import COMBINED, FRICTION, RADIUS, THICKNESS
-from studies.post import half_ellipse
 
 
 @dataclass(frozen=True)
@@ -38,7 +37,7 @@ class Zones:
         left = FRICTION * self.pressure - np.abs(self.shear)
         sticks = left > 1e-3 * self.bound
         middle = float(np.mean(self.x[sticks]))
-        return half_ellipse.through(self.x[sticks] - middle, left[sticks]).half_width
+        return hertz.half_ellipse_through(self.x[sticks] - middle, left[sticks]).half_width
 
     @property
     def peak_shear(self) -> float:
@@ -48,7 +47,7 @@ class Zones:
 
     def pressed(self, tolerance: float) -> list[Measure]:
         """Half-width and peak of the pressure against Hertz's, relative: its square falls linearly with x^2 to zero."""
-        half_width, peak = half_ellipse.through(self.x - np.mean(self.x), self.pressure)
+        half_width, peak = hertz.half_ellipse_through(self.x - np.mean(self.x), self.pressure)
         width, height = half_width / self.half_width, peak * FRICTION / self.bound
         return [
             Measure("Hertz's line contact, half-width, relative error", abs(width - 1.0), tolerance),

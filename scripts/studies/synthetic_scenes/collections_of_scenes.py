@@ -9,11 +9,18 @@ from pathlib import Path
 
 from studies.pages import reported_results, scene_results
 from studies.pages.scene_results import Results, Row
-from studies.synthetic_scenes import comparison
-from studies.synthetic_scenes.all_scenes import SCENES
+from studies.synthetic_scenes import collection_of_scenes, comparison, drawn_scenes, scenes_of_files
 from studies.synthetic_scenes.comparison import Written
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 from studies.synthetic_scenes.varied_scenes import SCENES as VARIED
+
+SCENES: Mapping[str, Written] = {
+    **collection_of_scenes.SCENES,
+    **scenes_of_files.SCENES,
+    **drawn_scenes.SCENES,
+    **scenes_of_files.RUBBING,
+}
+"""Every scene of `Collection.BLOCKS`, by name."""
 
 
 class Collection(str, Enum):

@@ -1,4 +1,4 @@
-"""Scenes of what model files hold beside bodies and loads: solvers, steps, sets, included files, further loads."""
+"""Scenes of what model files hold beside bodies and loads: solvers, steps, sets, included files, loads, friction."""
 
 from __future__ import annotations
 
@@ -35,6 +35,28 @@ def _edited(about: str, scene: str, *made: Edit) -> Edited:
     return Edited(about, BODIES[scene], made)
 
 
+_RUBS = {
+    "elements-hex8": 0.2,
+    "elements-hex20": 0.2,
+    "elements-tet4": 0.2,
+    "elements-tet10": 0.2,
+    "material-Mooney-Rivlin": 0.1,
+    "sphere": 0.3,
+    "flat": 0.2,
+    "sliding": 0.2,
+    "sliding-tet10": 0.1,
+    "rigid-block-slides": 0.3,
+    "rigid-free": 0.2,
+    "stiff-on-soft": 0.2,
+    "pressure-load": 0.2,
+    "augmented": 0.2,
+    "dynamic": 0.2,
+    "biphasic": 0.2,
+    "biphasic-sliding": 0.1,
+    "biphasic-tet4": 0.2,
+    "multiphasic": 0.2,
+}
+"""Friction coefficient of each scene."""
 SCENES: Mapping[str, Edited] = {
     "quasi-newton": _edited("10 updates of BFGS between matrices", "elements-hex8", edits.updates("BFGS", 10)),
     "quasi-newton-tet4": _edited("10 updates of BFGS, tetrahedra", "elements-tet4", edits.updates("BFGS", 10)),
@@ -68,5 +90,9 @@ SCENES: Mapping[str, Edited] = {
     "update-penalty": _edited(
         "a penalty that follows the deformation", "rigid-free", edits.in_contact(update_penalty="1")
     ),
+}
+RUBBING: Mapping[str, Edited] = {
+    f"friction-{name}": _edited(f"{BODIES[name].about}, friction {mu:g}", name, edits.in_contact(fric_coeff=f"{mu:g}"))
+    for name, mu in _RUBS.items()
 }
 """By name."""
