@@ -31,7 +31,8 @@ def read_json(path: Path, kind: type[Row]) -> list[Row]:
 
 
 def write_csv(data: Sequence[Row], kind: type[Row], path: Path, stamp: Stamp) -> None:
-    """Write data of a kind as a table, with what they were made with in its first line."""
+    """Write data of a kind as a table, with their stamp in its first line, in a folder that is made where needed."""
+    path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
         file.write(f"# {json.dumps(asdict(stamp))}\n")
         rows = csv.writer(file, lineterminator="\n")

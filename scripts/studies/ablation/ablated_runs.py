@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from lxml import etree
@@ -42,14 +43,6 @@ class Ablated:
     """How often devices acted."""
 
 
-@dataclass(frozen=True)
-class _LeftOut:
-    """What a run leaves out, by the name of its row, and the devices that it leaves on."""
-
-    what: str
-    others: str
-
-
 def devices() -> list[str]:
     """The names of all devices, as the plugin has them."""
     block = re.search(r"device_names\{(.*?)\}", SOURCE.read_text(encoding="utf-8"), re.DOTALL)
@@ -62,19 +55,20 @@ def ablate(name: str, scene: AblatedScene, left_out: Iterable[str], folder: Path
     A device that did not act in the run with all of them changes nothing, and takes the figures of that run.
     """
     made = scene.write(folder / re.sub(r"\W+", "-", name))
-    whole = _run(name, scene.kind, made, _LeftOut("nothing", ALL), limit)
+    run = partial(_run, (name, scene.kind), made, limit)
+    whole = run("nothing", ALL)
     rows = [whole]
     for device in left_out:
         if device not in whole.acted:
             rows.append(Ablated(**{**vars(whole), "without": device, "acted": ""}))
             continue
-        others = ", ".join(other for other in devices() if other != device)
-        rows.append(_run(name, scene.kind, made, _LeftOut(device, others), limit))
-    return [*rows, _run(name, scene.kind, made, _LeftOut("any", NONE), limit)]
+        rows.append(run(device, ", ".join(other for other in devices() if other != device)))
+    return [*rows, run("any", NONE)]
 
 
-def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) -> Ablated:
-    folder = model.parent / left_out.what
+def _run(scene: tuple[str, str], model: Path, limit: float, without: str, others: str) -> Ablated:
+    """A scene, by its name and kind, without a device; `others` are those that it leaves on."""
+    folder = model.parent / without
     folder.mkdir(exist_ok=True)
     for file in model.parent.iterdir():
         if file.is_file() and file != model and file.suffix not in (".log", ".xplt", ".txt"):
@@ -82,12 +76,12 @@ def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) ->
     changed = feb.read(model)
     for contact in changed.contacts:
         if contact.get("type") == InterfaceType.MIXTURE.value:
-            etree.SubElement(contact, "solver_devices").text = left_out.others
+            etree.SubElement(contact, "solver_devices").text = others
     path = changed.write(folder)
     command = engine.limited(engine.Febio4().command(path, plugin=True), limit)
     done = engine.execute(command, folder, check=False)
     report = done.report
     log = path.with_suffix(".log").read_text(errors="replace")
     acted = ACTED.search(log)
-    counts = (report.iterations, report.retries, report.reformations, table.entries(log), done.cpu)
-    return Ablated(name, kind, left_out.what, report.normal, *counts, acted.group(1) if acted else "")
+    counts = (report.iterations, report.retries, report.reformations, table.entries(log))
+    return Ablated(*scene, without, report.normal, *counts, done.cpu, acted.group(1) if acted else "")

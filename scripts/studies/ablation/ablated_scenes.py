@@ -53,4 +53,3 @@ SCENES: Mapping[str, AblatedScene] = {
     **_converted(SYNTHETIC, collections_of_scenes.SCENES),
     **_converted(REPORT, REPORTED),
 }
-"""By name."""

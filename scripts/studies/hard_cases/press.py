@@ -119,14 +119,11 @@ class Press:
             *ambient_at("upper-top", self.above),
             *(initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
         )
-        same = self.lower == self.upper
-        materials = {"lower": self.lower, "upper": self.lower if same else self.upper}
-        joined = interface.contacts("multiphasic", made, self.extra, self.penalties, self.augmented)
+        joined = interface.contacts(made, self.extra, self.penalties, self.augmented)
         text = f"Hard case {self.name}: two confined blocks, the upper one moved down."
-        model = Model(
-            self.name, text, "multiphasic", made, materials, conditions, control, joined, (Curve(self.path), steps)
-        )
-        return finished(model, interface)
+        about, materials = (self.name, text, "multiphasic"), {"lower": self.lower, "upper": self.upper}
+        curves = (Curve(self.path), steps)
+        return finished(Model(*about, made, materials, conditions, control, joined, curves), interface)
 
     def _gap(self, mesh: Fineness) -> float:
         """Mm."""

@@ -101,7 +101,6 @@ class Pushed:
     """Further parameters of every interface."""
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
-        """The model."""
         axes = "xz" if self.plane else "xyz"
         made, grip, curves = driven(self._mesh(1 if mesh is Fineness.COARSE else 2), self.times, self.motion, axes)
         control, steps = timed(self.times, len(curves) + 1, 1e-3 * NEWTON)
@@ -113,9 +112,9 @@ class Pushed:
             *ambient_at("base", (1.0,)),
             *ambient_at("grip", (0.0,)),
         )
-        text = f"Hard case {self.name}: a body pushed into another one."
-        joined = interface.contacts("multiphasic", made, self.extra)
-        model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, (*curves, steps))
+        about = (self.name, f"Hard case {self.name}: a body pushed into another one.", "multiphasic")
+        joined = interface.contacts(made, self.extra)
+        model = Model(*about, made, {"gel": GEL}, conditions, control, joined, (*curves, steps))
         return finished(model, interface)
 
     def _mesh(self, factor: int) -> Mesh:

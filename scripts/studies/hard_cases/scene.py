@@ -49,17 +49,12 @@ class Interface(str, Enum):
         """Whether it is the plugin's."""
         return self in (Interface.MIXTURE, Interface.PREDICTED)
 
-    def contact_type(self, module: str) -> InterfaceType:
-        """The type of contact in a module."""
-        if self.ours:
-            return InterfaceType.MIXTURE
-        return {
-            "biphasic": InterfaceType.BIPHASIC,
-            "solute": InterfaceType.SOLUTE,
-            "multiphasic": InterfaceType.MULTIPHASIC,
-        }[module]
+    @property
+    def contact_type(self) -> InterfaceType:
+        """The type of contact."""
+        return InterfaceType.MIXTURE if self.ours else InterfaceType.MULTIPHASIC
 
-    def settings(self, module: str, scale: float = 1.0) -> ContactSettings:
+    def settings(self, scale: float = 1.0) -> ContactSettings:
         """Parameters of the interface, with all penalties times `scale`.
 
         The plugin's default factors are 1e3 on the stiffness and 1e5 on the conductances. FEBio's interfaces get their
@@ -71,23 +66,17 @@ class Interface(str, Enum):
             )
             return replace(own, extra=(PREDICTOR,)) if self is Interface.PREDICTED else own
         given = automatic((1.0 if self is Interface.FEBIO_1 else 1000.0) * scale)
-        fair = replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
-        return replace(fair, concentration_penalty=None) if module == "biphasic" else fair
+        return replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
 
     def contacts(
-        self,
-        module: str,
-        mesh: Mesh,
-        extra: Sequence[Param] = (),
-        scale: float = 1.0,
-        augmented: float | None = None,
+        self, mesh: Mesh, extra: Sequence[Param] = (), scale: float = 1.0, augmented: float | None = None
     ) -> tuple[Contact, ...]:
         """One interface for each pair of a mesh; augmented to a relative tolerance where one is given."""
-        settings = self.settings(module, scale)
+        settings = self.settings(scale)
         if augmented is not None:
             settings = replace(settings, laugon="AUGLAG", tolerance=augmented)
         params = (*settings.params(), *extra)
-        return tuple(Contact(self.contact_type(module).value, pair, params) for pair in mesh.pairs)
+        return tuple(Contact(self.contact_type.value, pair, params) for pair in mesh.pairs)
 
 
 UNDERSHOOT = 2.0 - 3.0**0.5
@@ -143,10 +132,9 @@ def finished(model: Model, interface: Interface) -> Model:
     without, makes solute from nothing.
     """
     flows = FLOWS[:4] + tuple(f"contact solute flow {k + 1}" for k in range(model.n_solutes))
-    unclamped = UNCLAMPED if model.module == "multiphasic" else ()
     return replace(
         model,
-        control=replace(model.control, solver=unclamped),
+        control=replace(model.control, solver=UNCLAMPED),
         further_columns=("Rx", "Ry", "Rz"),
         surface_columns=flows if interface.ours else (),
         facet_columns=FACETS,

@@ -46,10 +46,9 @@ class Seesaw:
             *ambient_at("left-top", (0.0,)),
             *ambient_at("right-top", (0.0,)),
         )
-        text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
-        joined = interface.contacts("multiphasic", made)
-        model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
+        about = (self.name, f"Hard case {self.name}: two blocks on one slab.", "multiphasic")
+        model = Model(*about, made, {"gel": GEL}, conditions, control, interface.contacts(made), curves)
         return finished(model, interface)
 
     def _mesh(self, mesh: Fineness) -> Mesh:
@@ -99,11 +98,9 @@ class Dropped:
         )
         materials = {"gel": GEL, "cushion": replace(GEL, solid=CUSHION)}
         curves = (Curve(((0.0, 0.0), (RAMP[-1], 1.0))), steps)
-        text = f"Hard case {self.name}: a block that a load moves."
-        joined = interface.contacts("multiphasic", made)
-        return finished(
-            Model(self.name, text, "multiphasic", made, materials, conditions, control, joined, curves), interface
-        )
+        about = (self.name, f"Hard case {self.name}: a block that a load moves.", "multiphasic")
+        model = Model(*about, made, materials, conditions, control, interface.contacts(made), curves)
+        return finished(model, interface)
 
     def _mesh(self, mesh: Fineness) -> Mesh:
         thick = 3 if mesh is Fineness.COARSE else 5

@@ -67,7 +67,6 @@ class BallInSocket:
     """With a plot file."""
 
     def model(self) -> Model:
-        """The model of these choices."""
         material = Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
         stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
         steps = (2 if self.slides else 1) * self.steps

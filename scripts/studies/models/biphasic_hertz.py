@@ -112,7 +112,6 @@ class BiphasicHertz(ABC):
         return Curve(((0.0, 0.0), (ramp, force), (end, force)))
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         conditions = (
             *(fix(nodes, axes) for nodes, axes in self.held),

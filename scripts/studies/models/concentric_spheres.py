@@ -42,7 +42,6 @@ class ConcentricSpheres:
     name: str = "concentric-spheres"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh, end = self._mesh(), float(self.steps)
         stepper = TimeStepper(1.0, retries=10, optimal_iterations=15, aggressive=True)
         return Model(

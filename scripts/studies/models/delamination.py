@@ -83,7 +83,6 @@ class Delamination:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         baths = ("layer-top", "layer-left")
         conditions = (

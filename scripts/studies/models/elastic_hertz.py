@@ -45,7 +45,6 @@ class ElasticHertz:
     name: str = "elastic-hertz"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         return Model(
             self.name,

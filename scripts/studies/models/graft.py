@@ -71,7 +71,6 @@ class Graft:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         settings = ContactSettings(extra=ambient(AMBIENT_PRESSURE, CONCENTRATION))
         conditions = (

@@ -94,7 +94,6 @@ class Joint:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh, wet = self._mesh(), self.source is Source.FLUID
         filled = (initial_pressure("upper", EFFECTIVE_PRESSURE), initial_concentration("upper", AMBIENT))
         conditions = (

@@ -59,7 +59,6 @@ class PartialSlip:
     name: str = "partial-slip"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         steps = PRESSING + SHEARING
         press = Curve(((0.0, 0.0), (float(PRESSING), 1.0)))

@@ -65,7 +65,6 @@ class PlateOnLayer:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
         load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))

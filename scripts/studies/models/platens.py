@@ -56,7 +56,6 @@ class Platens:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         few = max(1, self.elements // 5)
         layers = [
             Layer("impermeable", "steel", PLATEN, few),

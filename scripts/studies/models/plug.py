@@ -67,7 +67,6 @@ class Plug:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         conditions = (
             fix("symmetry-x", "x"),

@@ -48,7 +48,6 @@ class PressedBlocks:
         return False
 
     def model(self) -> Model:
-        """The model of these choices."""
         interface = InterfaceType.ours_in([self.contact])
         stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
         return Model(

@@ -61,7 +61,6 @@ class ShearedBlocks:
     name: str = "sheared-blocks"
 
     def model(self) -> Model:
-        """The model of these choices."""
         layers = [Layer(name, "block", THICKNESS[k], 2 + k) for k, name in enumerate(("lower", "upper"))]
         mesh = column(self.interface, layers, bottom=0.0, section=SECTION)
         settings = self.settings or (self.interface.is_contact and with_friction(self.interface, FRICTION)) or None

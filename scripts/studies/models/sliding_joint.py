@@ -45,7 +45,6 @@ class SlidingJoint:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         x = {layer: np.linspace(-width, width, ACROSS + 1) for layer, width in HALF_WIDTHS.items()}
         mesh = touching(x, THROUGH, GROWTH, {"all": everywhere(), **BONES})
         given = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=SOLID_FRACTION)

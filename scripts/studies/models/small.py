@@ -254,12 +254,12 @@ def control(module: str, steps: int, size: float, *, retries: int = 0, analysis:
     return Scheme(steps, size, analysis, retries).text(module)
 
 
-def curve(number: int, *points: tuple[float, float]) -> str:
-    """A load curve of straight lines."""
+def curve(number: int, *points: tuple[float, float], interpolate: str = "LINEAR") -> str:
+    """A load curve, of straight lines unless `interpolate` says otherwise."""
     inner = "".join(f"<pt>{t:g},{value:g}</pt>" for t, value in points)
     return (
-        f'<load_controller id="{number}" type="loadcurve"><interpolate>LINEAR</interpolate><extend>CONSTANT</extend>'
-        f"<points>{inner}</points></load_controller>"
+        f'<load_controller id="{number}" type="loadcurve"><interpolate>{interpolate}</interpolate>'
+        f"<extend>CONSTANT</extend><points>{inner}</points></load_controller>"
     )
 
 

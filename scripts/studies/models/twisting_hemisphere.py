@@ -42,7 +42,6 @@ class TwistingHemisphere:
     name: str = "twisting-hemisphere"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh, moved, curves = driven(self._mesh(), self.times, motion)
         rubbing = Curve(((0.0, 0.0), (PRESSED, 0.0), (PRESSED + 1e-6, 1.0), (END, 1.0)))
         control, steps = timed(

@@ -225,4 +225,3 @@ SCENES: Mapping[str, Scene] = {
     **_BIPHASIC,
     **{f"solute-{name}": replace(scene, solute=True) for name, scene in _BIPHASIC.items()},
 }
-"""By name."""

@@ -44,7 +44,6 @@ def price(
     The command alternates the runs that it compares, and takes the medians of their ratios. Nothing else should run at
     the same time.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     chosen = only or list(Part)
     stamp = stamps.stamp(LIMIT)
     tell = partial(console.print, markup=False)

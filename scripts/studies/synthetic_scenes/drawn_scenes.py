@@ -111,4 +111,3 @@ SCENES: Mapping[str, Drawn] = {
     "stacked": Drawn("three bodies, two contacts", _stacked),
     "slot-closes": Drawn("a surface in contact with itself", _slotted),
 }
-"""By name."""

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from lxml import etree
 
-from studies.feb import Element, only
+from studies.feb import Element, only, put
+from studies.models.small import curve, surface_pair
 from studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, SLAB, UPPER
 
 Edit = Callable[[Element, Path], None]
@@ -23,10 +24,8 @@ def solver(**values: str) -> Edit:
     """Sets parameters of the solver, such as `lstol`."""
 
     def edit(root: Element, _: Path) -> None:
-        section = only(root, "Control/solver")
         for tag, value in values.items():
-            found = section.find(tag)
-            (found if found is not None else etree.SubElement(section, tag)).text = value
+            put(only(root, "Control/solver"), tag, value)
 
     return edit
 
@@ -112,8 +111,7 @@ def by_part_lists(root: Element, _: Path) -> None:
 
 def pressure_on_the_contact(root: Element, _: Path) -> None:
     """Prescribes the fluid pressure on the surface of the slab, also where the block touches it."""
-    section = only(root, "Boundary")
-    section.append(_xml(f'<bc type="zero fluid pressure" node_set="{UPPER}"/>'))
+    only(root, "Boundary").append(_xml(f'<bc type="zero fluid pressure" node_set="{UPPER}"/>'))
 
 
 def body_force(root: Element, _: Path) -> None:
@@ -133,9 +131,8 @@ def penalty_follows_a_curve(root: Element, _: Path) -> None:
 
 def both_ways(root: Element, _: Path) -> None:
     """A second contact between the same surfaces, the other way round, in place of two passes."""
-    mesh, section = only(root, "Mesh"), only(root, "Contact")
-    pair = f'<SurfacePair name="back"><primary>{UPPER}</primary><secondary>{LOWER}</secondary></SurfacePair>'
-    mesh.append(_xml(pair))
+    section = only(root, "Contact")
+    only(root, "Mesh").append(_xml(surface_pair("back", UPPER, LOWER)))
     second = deepcopy(only(section, "contact"))
     second.set("name", "back")
     second.set("surface_pair", "back")
@@ -147,10 +144,4 @@ def must_points(root: Element, _: Path) -> None:
     stepper = only(root, "Control/time_stepper/dtmax")
     stepper.set("lc", "3")
     stepper.text = "1"
-    points = "".join(f"<pt>{t},{dt}</pt>" for t, dt in ((0, 0.05), (0.5, 0.2), (1, 0.2)))
-    only(root, "LoadData").append(
-        _xml(
-            '<load_controller id="3" type="loadcurve"><interpolate>STEP</interpolate><extend>CONSTANT</extend>'
-            f"<points>{points}</points></load_controller>"
-        )
-    )
+    only(root, "LoadData").append(_xml(curve(3, (0, 0.05), (0.5, 0.2), (1, 0.2), interpolate="STEP")))

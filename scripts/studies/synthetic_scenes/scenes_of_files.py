@@ -95,4 +95,3 @@ RUBBING: Mapping[str, Edited] = {
     f"friction-{name}": _edited(f"{BODIES[name].about}, friction {mu:g}", name, edits.in_contact(fric_coeff=f"{mu:g}"))
     for name, mu in _RUBS.items()
 }
-"""By name."""

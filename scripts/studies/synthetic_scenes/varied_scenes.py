@@ -117,4 +117,3 @@ def _scheme(scheme: Scheme, random: Random) -> Scheme:
 
 
 SCENES: Mapping[str, Varied] = {f"seed-{seed:03d}": Varied(seed) for seed in range(SEEDS)}
-"""By name."""

@@ -160,7 +160,6 @@ class Hertz:
     depth: float = 0.12
 
     def __call__(self) -> Sketch:
-        """The model."""
         fine = self.element in ("hex8", "tet4", "penta6")
 
         def half(u: np.ndarray) -> np.ndarray:
@@ -335,4 +334,3 @@ SCENES: Mapping[str, Drawn] = {
     "meniscus": Drawn("a porous ring between a rigid ball and a porous layer", meniscus),
     "ogden-hertz-deep": Drawn("half an Ogden ball, pressed deep", Hertz(material=ogden(), depth=0.35)),
 }
-"""By name."""

@@ -63,7 +63,6 @@ class Layers:
     scheme: Scheme = USUAL
 
     def __call__(self) -> Sketch:
-        """The model."""
         (low, high), (soft, stiff) = self.permeability, self.modulus
         cells = ((4, 4, 2), (3, 3, 2)) if self.element in ("hex20", "tet10") else ((8, 8, 3), (5, 5, 3))
         across = moved("dome-z1", "x", self.way, 2) if self.way else fixed("dome-z1", "x")
@@ -151,4 +150,3 @@ SCENES: Mapping[str, Drawn] = {
         "charged layers slide, two passes", lambda: salty(_SALT + TWO_PASS, (-20.0, -10.0), 0.3, Scheme(20))
     ),
 }
-"""By name."""

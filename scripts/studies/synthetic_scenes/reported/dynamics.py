@@ -132,4 +132,3 @@ SCENES: Mapping[str, Drawn] = {
     "erosion-away": Drawn("elements without contact erode", partial(wears, _CHOSEN.format("1,2,3"), "yes")),
     "erosion-in-contact": Drawn("elements in contact erode", partial(wears, _CHOSEN.format("38,40"), "yes")),
 }
-"""By name."""

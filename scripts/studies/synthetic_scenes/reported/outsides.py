@@ -271,4 +271,3 @@ SCENES: Mapping[str, Drawn] = {
         "a ring between rigid plates until its inside touches itself", partial(ring_between_plates, inner=True)
     ),
 }
-"""By name."""

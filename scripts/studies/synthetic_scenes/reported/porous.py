@@ -50,7 +50,6 @@ class Blocks:
     permeability: float = 1e-2
 
     def __call__(self) -> Sketch:
-        """The model."""
         quadratic = self.element in ("hex20", "hex27", "tet10", "tet15")
         low, high = ((5, 3, 2), (4, 2, 2)) if quadratic else ((8, 4, 3), (6, 3, 3))
         above = bulged(box((-0.8, -0.4, -0.005 if self.load else 0.01), (0.8, 0.4, 0.8)), lambda x: 0.1 * x[:, 0] ** 2)
@@ -144,4 +143,3 @@ SCENES: Mapping[str, Drawn] = {
         Blocks(auglag(0.2, 0.1, NEAR + fluid(0.2, 0.2)), solute=True, way=0.3, scheme=Scheme(20)),
     ),
 }
-"""By name."""

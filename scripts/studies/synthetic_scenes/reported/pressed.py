@@ -78,7 +78,6 @@ class Dome:
     held: bool = False
 
     def __call__(self) -> Sketch:
-        """The model."""
         quadratic = [element in ("hex20", "hex27", "tet10", "tet15", "penta15") for element in self.elements]
         cells = {"slab": (4, 4, 2) if quadratic[0] else (8, 8, 4), "dome": (3, 3, 2) if quadratic[1] else (6, 6, 4)}
         places = {"slab": box((-1, -1, -0.8), (1, 1, 0)), "dome": dome(gap=self.gap)}
@@ -306,4 +305,3 @@ SCENES: Mapping[str, Drawn] = {
     "crushed": Drawn("half a tube under a rigid roller", crushed),
     "crushed-hex20": Drawn("half a tube of hex20 under a rigid roller", partial(crushed, "hex20")),
 }
-"""By name."""

@@ -52,7 +52,6 @@ class Cam:
     params: str = given(50.0)
 
     def __call__(self) -> Sketch:
-        """The model."""
         follower = mapped((8, 2, 2), box((-1.2, -0.4, 0.99), (1.8, 0.4, 1.4)))
         held = fixed("follower-z1", "x", "y") if self.soft else hold("follower", "xyuvw")
         pressed = press("follower-z1", 0.05, 4) if self.soft else push("follower", "z", -0.1, 4)
@@ -79,7 +78,6 @@ class Punch:
     primary: bool = True
 
     def __call__(self) -> Sketch:
-        """The model."""
         sides = (f"punch-{self.face}", "block-z1") if self.primary else ("block-z1", f"punch-{self.face}")
         return Sketch(
             {
@@ -129,7 +127,6 @@ class BetweenPlates:
     sides: tuple[str, str] = ("outside", "outside")
 
     def __call__(self) -> Sketch:
-        """The model."""
         cells = (3, 3, 2) if self.element in ("tet10", "hex20") else (6, 6, 4)
 
         def bulging(u: np.ndarray) -> np.ndarray:
@@ -218,4 +215,3 @@ SCENES: Mapping[str, Drawn] = {
         ),
     ),
 }
-"""By name."""

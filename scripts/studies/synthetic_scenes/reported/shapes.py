@@ -14,8 +14,7 @@ from harness.models.blocks import Body
 from harness.models.mesh import Nodes
 from studies.models import assembly
 from studies.models.quadratic import ADDED
-from studies.models.tetrahedra import tetrahedra
-from studies.synthetic_scenes.slab_and_block import FACES_OF, prisms
+from studies.synthetic_scenes.slab_and_block import FACES_OF, cut
 
 Place = Callable[[Nodes], Nodes]
 """Positions (n, 3) in mm of points (n, 3) of the unit cube."""
@@ -62,7 +61,7 @@ def grid(cells: Sequence[int]) -> Body:
 
 def mapped(cells: Sequence[int], place: Place, element: str = "hex8") -> Shape:
     """The unit cube put elsewhere, in elements of a type; places that meet, as the ends of a ring do, are joined."""
-    return joined([_cut(grid(cells), element)], [place], element)
+    return joined([cut(grid(cells), element)], [place], element)
 
 
 def joined(bodies: Sequence[Body], places: Sequence[Place], element: str) -> Shape:
@@ -82,24 +81,16 @@ def joined(bodies: Sequence[Body], places: Sequence[Place], element: str) -> Sha
     return Shape(element, kept, whole, _sides([(side, tuple(int(number[n]) for n in f)) for side, f in faces]))
 
 
-def _cut(body: Body, element: str) -> Body:
-    if element.startswith("tet"):
-        return tetrahedra(body)
-    return prisms(body) if element.startswith("penta") else body
-
-
 def _with_middles(body: Body, element: str) -> tuple[Nodes, Facets]:
     nodes, number = list(body.nodes), dict[frozenset[int], int]()
     rows: Facets = []
     for ids in body.elements.tolist():
-        row = list(ids)
-        for group in MIDDLES[element]:
-            key = frozenset(ids[corner] for corner in group)
+        keys = [frozenset(ids[corner] for corner in group) for group in MIDDLES[element]]
+        for key in keys:
             if key not in number:
                 number[key] = len(nodes)
                 nodes.append(np.mean([body.nodes[n] for n in key], axis=0))
-            row.append(number[key])
-        rows.append(tuple(row))
+        rows.append((*ids, *(number[key] for key in keys)))
     return np.array(nodes), rows
 
 

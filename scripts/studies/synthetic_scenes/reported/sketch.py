@@ -69,9 +69,6 @@ class Sketch:
             materials,
             module=self.module,
             control=self.scheme.text(self.module),
-            boundary=sections.pop("Boundary", ()),
-            rigid=sections.pop("Rigid", ()),
-            loads=sections.pop("Loads", ()),
             contacts=[
                 small.contact(f"c{n}", f"pair{n}", touch.kind, touch.params) for n, touch in enumerate(self.contacts, 1)
             ],

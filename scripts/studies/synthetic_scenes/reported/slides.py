@@ -41,7 +41,6 @@ class Blocks:
     back: bool = False
 
     def __call__(self) -> Sketch:
-        """The model."""
         quadratic = self.element in ("hex20", "hex27", "tet10", "tet15", "penta15")
         low, high = ((6, 3, 2), (4, 2, 2)) if quadratic else ((10, 4, 3), (7, 3, 3))
         above = bulged(box((-0.8, -0.4, 0.01), (0.8, 0.4, 0.9)), lambda x: self.round_face * x[:, 0] ** 2)
@@ -75,7 +74,6 @@ class Groove:
     primary: str = "cylinder-x1"
 
     def __call__(self) -> Sketch:
-        """The model."""
         held = shifted(turned(arc(0.5, 1.0, 1.6, (210.0, 330.0)), "x", 90.0), (0.0, 0.0, -(1.1 - 1.0) + 0.01))
         groove = turned(arc(1.1, 1.1 + 0.6, 2.0, (210.0, 330.0)), "x", 90.0)  # concave upwards: its face is x0
         cells = ((1, 8, 3), (1, 7, 3)) if self.element in ("hex20", "tet10") else ((3, 12, 4), (3, 10, 4))
@@ -172,4 +170,3 @@ SCENES: Mapping[str, Drawn] = {
         ),
     ),
 }
-"""By name."""

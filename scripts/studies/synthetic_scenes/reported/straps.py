@@ -141,4 +141,3 @@ SCENES: Mapping[str, Drawn] = {
         partial(strip_on_bone, "tet10", params=given(20.0, radius(0.5))),
     ),
 }
-"""By name."""

@@ -43,7 +43,6 @@ class RodInTube:
     updates: int = 0
 
     def __call__(self) -> Sketch:
-        """The model."""
         rod, tube = arc(0.4, self.outer, 3.0), arc(1.02, 1.6, 2.4)
         cells = ((1, 10, 2), (1, 12, 2)) if self.element == "tet10" else ((2, 20, 4), (2, 24, 4))
         ends = ("rod-z0", "rod-z1")
@@ -97,7 +96,6 @@ class Crossed:
     depth: float = 0.5
 
     def __call__(self) -> Sketch:
-        """The model."""
         low = turned(arc(0.6, 1.0, 4.0), "x", 90.0)
         high = shifted(turned(arc(0.6, 1.0, 4.0), "y", 90.0), (0, 0, 2.01))
         cells = ((1, 10, 5), (1, 10, 4)) if self.element == "tet10" else ((1, 16, 9), (1, 16, 8))
@@ -159,4 +157,3 @@ SCENES: Mapping[str, Drawn] = {
         "crossed Mooney-Rivlin tubes, two passes, pressed flat", Crossed(params=auto(1.0, TWO_PASS + NEAR), depth=0.9)
     ),
 }
-"""By name."""
