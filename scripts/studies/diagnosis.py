@@ -1,7 +1,5 @@
 """Reads from febio4's log how each attempt at a time step went, and what made it fail."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections import Counter

@@ -1,7 +1,5 @@
 """What measured results were made with, and the limit of processor time that the runs of all comparisons have."""
 
-from __future__ import annotations
-
 import subprocess
 from dataclasses import dataclass
 

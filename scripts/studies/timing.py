@@ -1,7 +1,5 @@
 """Runs that are timed: each by itself, and interleaved with those that they are compared with."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A scene with all devices of the solver, and with each of them left out."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass

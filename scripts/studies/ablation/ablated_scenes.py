@@ -1,7 +1,5 @@
 """The scenes that devices are left out of: joints, hard cases on the coarse mesh, synthetic and reported scenes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial

@@ -1,7 +1,5 @@
 """The page of devices that are left out one at a time: docs/reference/ablation.md, from docs/data/ablation.csv."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path

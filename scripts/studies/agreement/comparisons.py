@@ -1,7 +1,5 @@
 """Scenes on nested meshes with FEBio's interface and converted, against the mean of both on the finest mesh."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The page of how far a converted model's answer is from the old one: docs/evidence/agreement.md, from its data."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

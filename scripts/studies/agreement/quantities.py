@@ -1,7 +1,5 @@
 """What a run says as a whole: force or approach, area of contact, content; and its fields at some nodes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -29,8 +29,6 @@ contact, H being the aggregate modulus. And the free surface is impermeable: whe
 reaches the last h of the contact leaves through it, a part of some h/a that grows with chi t.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum

@@ -5,8 +5,6 @@ F = pi a p0/2 per length. Over a circle the same pressure carries F = (2/3) pi a
 pi p0 (2 a^2 - r^2)/(4 E* a), which has to be delta - r^2/(2R): p0 = 2 E* a/(pi R) and delta = a^2/R.
 """
 
-from __future__ import annotations
-
 from math import pi, sqrt
 from typing import NamedTuple
 

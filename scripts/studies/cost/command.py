@@ -1,7 +1,5 @@
 """The command `cost`: measures what accuracy costs, or answers from what was measured."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Sequence
 from pathlib import Path

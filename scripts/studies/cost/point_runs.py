@@ -1,7 +1,5 @@
 """Runs one point of the sweep: its error, and its cost in iterations, residuals and time."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

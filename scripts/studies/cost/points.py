@@ -1,7 +1,5 @@
 """The points of the sweep: a problem, an interface, and one parameter away from the defaults."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum

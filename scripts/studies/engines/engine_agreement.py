@@ -1,7 +1,5 @@
 """How far two engines are apart, node by node, where both solve the same steps to rounding."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 

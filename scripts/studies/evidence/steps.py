@@ -1,7 +1,5 @@
 """The steps that measure everything in docs/data, in the order in which they are done."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

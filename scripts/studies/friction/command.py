@@ -1,7 +1,5 @@
 """The commands of friction: its hard cases, published curves, and elastic slip against time."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import typer

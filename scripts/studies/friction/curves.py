@@ -1,7 +1,5 @@
 """What is compared of each run: its curve over the angle or the way, beside the published ones."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Elastic slip and time by tangential penalty and with AUGLAG."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

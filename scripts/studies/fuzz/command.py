@@ -1,7 +1,5 @@
 """The command `fuzz`."""
 
-from __future__ import annotations
-
 import json
 import time
 from collections import Counter

@@ -1,7 +1,5 @@
 """Runs what a seed stands for and says whether anything is wrong with it."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import dataclass

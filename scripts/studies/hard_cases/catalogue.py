@@ -1,7 +1,5 @@
 """The hard cases: each a scene with its physical check, in one table."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 

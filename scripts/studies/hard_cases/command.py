@@ -1,7 +1,5 @@
 """The commands that run the hard cases: all of them, and a single one."""
 
-from __future__ import annotations
-
 from itertools import product
 from pathlib import Path
 from typing import Annotated

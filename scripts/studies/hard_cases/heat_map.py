@@ -1,7 +1,5 @@
 """The hard cases as a picture: scenes in groups by interface, each cell saying how its run ended; failures first."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What every hard case has to satisfy, whatever it shows: balances, bounds, contact conditions, invariance."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 

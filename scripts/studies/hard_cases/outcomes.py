@@ -1,7 +1,5 @@
 """How runs of hard cases ended, as rows of a table, and what the table says."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum

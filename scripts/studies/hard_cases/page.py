@@ -1,7 +1,5 @@
 """The page of the hard cases: docs/evidence/hard-cases.md, from docs/data/hard-cases.csv."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -4,8 +4,6 @@ Laterally confined, with 1 mM below and nothing above, both without fluid pressu
 known: equal stress and equal fluxes in both blocks, uniform strain and a linear concentration in each.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 
 import numpy as np

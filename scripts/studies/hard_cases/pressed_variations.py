@@ -1,7 +1,5 @@
 """Variations of the two confined blocks that are checked against another run instead of, or beside, the closed form."""
 
-from __future__ import annotations
-
 import shutil
 from dataclasses import dataclass, replace
 from pathlib import Path

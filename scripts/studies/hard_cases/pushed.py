@@ -1,7 +1,5 @@
 """A slab on a fixed base and a body of any shape that is pushed into it, along it, or turned on it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 

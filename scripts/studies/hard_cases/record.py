@@ -1,7 +1,5 @@
 """One run of a hard case as data, and the table of all of them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields

@@ -1,7 +1,5 @@
 """The hard cases of friction, in one table: scenes that are run with friction and without it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import partial
 

@@ -1,7 +1,5 @@
 """One hard case of friction on one mesh: how it ends, its checks, and the same scene without friction beside it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

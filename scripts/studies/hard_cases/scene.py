@@ -1,7 +1,5 @@
 """What a hard case consists of, and the pieces that all of them use."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum

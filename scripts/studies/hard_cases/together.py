@@ -1,7 +1,5 @@
 """Three bodies that share nodes of a contact surface, and a body that a load brings into contact."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Two nearly incompressible blocks with free sides, pressed together at once: undrained first, drained in the end."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

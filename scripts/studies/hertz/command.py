@@ -1,7 +1,5 @@
 """The commands `biphasic-hertz` and `elastic-hertz`."""
 
-from __future__ import annotations
-
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps

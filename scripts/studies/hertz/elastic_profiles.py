@@ -1,7 +1,5 @@
 """Pressure of Hertz's contacts of elastic bodies over the distance from the middle, on two meshes each."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The page of verification: docs/evidence/verification.md, from the checks of `validate` and the thin layers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 

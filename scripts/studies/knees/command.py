@@ -1,7 +1,5 @@
 """The command `knee`."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """Runs of the knee, and what passes each of its compartments."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

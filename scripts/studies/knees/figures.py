@@ -1,7 +1,5 @@
 """Contact pressure with FEBio's interface and with the plugin's: on tibia and menisci, and on a converted joint."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

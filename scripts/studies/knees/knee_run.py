@@ -1,7 +1,5 @@
 """A row of docs/data/knee.csv, and of the results of porous knees."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from enum import Enum

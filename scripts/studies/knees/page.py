@@ -1,7 +1,5 @@
 """The page of the elastic knee, that of its runs, and tables of knees of all kinds."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Small models solved by each of FEBio's linear solvers, compared with what its default solver finds."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Several bodies of hexahedra in one mesh, with sets and surfaces chosen by position."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import log

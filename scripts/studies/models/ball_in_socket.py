@@ -1,7 +1,5 @@
 """A joint in its simplest shape: two layers on rigid bone, a ball and its socket, pressed together and slid."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

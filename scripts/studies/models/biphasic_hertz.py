@@ -1,7 +1,5 @@
 """Two thin biphasic layers on bone, one flat and one of large radius, pressed together by a force."""
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from math import pi

@@ -1,7 +1,5 @@
 """Two concentric spherical shells pressed between rigid planes: the inner one buckles."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Gallery: a layer of cartilage that shear delaminates from the bone, with fluid in the crack."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.models.document import Model

@@ -1,7 +1,5 @@
 """A sphere pressed on a block of the same material, without friction: Hertz's contact over a circle."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Gallery: a graft in a cylindrical defect of cartilage, fed by the host across the wall."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Gallery: a section of a joint under cyclic load, with solute from the synovial fluid or from one of its layers."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """The models that stand in models/ for a user to open, run and copy; `pages` writes them there."""
 
-from __future__ import annotations
-
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection

@@ -1,7 +1,5 @@
 """Two layers with a membrane between them, which solvent and solute cross."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

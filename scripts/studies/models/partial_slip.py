@@ -1,7 +1,5 @@
 """A cylinder pressed on a block of the same material and pushed sideways: stick in the middle, slip at the edges."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import log

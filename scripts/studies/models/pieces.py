@@ -1,7 +1,5 @@
 """Pieces of the models of studies."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any

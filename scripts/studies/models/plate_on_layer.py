@@ -1,7 +1,5 @@
 """A cartilage layer that drains under a sliding plate: friction grows as the fluid bears less of the load."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Gallery: confined compression between a permeable and an impermeable platen."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.models.document import Model

@@ -1,7 +1,5 @@
 """Gallery: an osteochondral plug whose cartilage is tied on a bone with a coarser mesh."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

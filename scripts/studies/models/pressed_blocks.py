@@ -1,7 +1,5 @@
 """Two blocks of hexahedra with many facets that do not match, pressed together."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model

@@ -1,7 +1,5 @@
 """A block that is pressed and sheared, split in two: friction that sticks gives back the conforming reference."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum
 

@@ -1,7 +1,5 @@
 """Gallery: a section of a joint, cartilage on cartilage, pressed and then slid: stick and slip zones."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

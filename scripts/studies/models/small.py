@@ -3,8 +3,6 @@
 What the builders of the harness have no words for. Numbers are in mm, N, s.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count

@@ -1,7 +1,5 @@
 """A hollow hemisphere pressed into a block without friction, then turned on it with friction."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

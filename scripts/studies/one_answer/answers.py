@@ -1,7 +1,5 @@
 """The answers of a scene in all ways, and how far each is from the one that it is compared with."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path

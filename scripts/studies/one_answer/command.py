@@ -1,7 +1,5 @@
 """The command `one-answer`."""
 
-from __future__ import annotations
-
 from concurrent.futures import ThreadPoolExecutor
 from typing import Annotated
 

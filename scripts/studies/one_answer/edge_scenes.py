@@ -1,7 +1,5 @@
 """Porous scenes with an edge of contact: a punch, a load, a slide, and a crack that closes and opens."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 

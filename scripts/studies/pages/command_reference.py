@@ -1,7 +1,5 @@
 """The page of the commands, from the commands themselves: docs/reference/commands.md."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Container

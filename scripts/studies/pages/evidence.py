@@ -4,8 +4,6 @@ A file of results below docs/data says what it was made with (`Stamp`), in its f
 its figures from such files, all with one stamp; its own text holds none.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """The page of the linear solvers, from measured trials alone."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum

@@ -4,8 +4,6 @@ Names, order, headings, kinds, choices and defaults are those of `harness.prefli
 say comes from texts/parameter_notes.json.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The page of the scenes drawn from what users report, from their results alone."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The pages of the synthetic test scenes, from their results alone."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The verification report: every check of `validate` with its runs, as docs/verification.json and a page of it."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field

@@ -1,7 +1,5 @@
 """Stick and slip zones of a run of `studies.models.partial_slip`, from the tractions at its nodes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

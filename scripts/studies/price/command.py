@@ -1,7 +1,5 @@
 """The command `price`: timings of the contact, by task and effect, and beside FEBio's own interfaces."""
 
-from __future__ import annotations
-
 import shutil
 from enum import Enum
 from functools import partial

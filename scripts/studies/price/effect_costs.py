@@ -1,7 +1,5 @@
 """What each effect costs in scenes that exchange more and more: times, unknowns, entries of the matrix."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial

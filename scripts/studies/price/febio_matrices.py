@@ -1,7 +1,5 @@
 """FEBio's interface with the symmetric matrix that its module `solid` has by default, beside a non-symmetric one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial

@@ -1,7 +1,5 @@
 """The page of what the contact costs: docs/evidence/price.md, with its picture, from docs/data/price-*.csv."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Runs ours, FEBio's own contact and the conforming reference in turn, and compares iterations and times."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Two blocks pressed together, with more and more to exchange: the scenes whose price is measured."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from enum import Enum
 

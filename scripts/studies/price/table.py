@@ -1,7 +1,5 @@
 """Reads the table of times that each contact writes at the end of a run."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 

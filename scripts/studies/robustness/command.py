@@ -1,7 +1,5 @@
 """The command `robustness`."""
 
-from __future__ import annotations
-
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Annotated

@@ -1,7 +1,5 @@
 """One run of febio4: how it ended, and what the sanitizers said."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

@@ -1,7 +1,5 @@
 """The plugin with address and undefined-behaviour sanitizers: its build, how febio4 loads it, and what it reports."""
 
-from __future__ import annotations
-
 import os
 import re
 import subprocess

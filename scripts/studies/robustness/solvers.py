@@ -1,7 +1,5 @@
 """The solvers that FEBio has for elastic bodies, and a scene for them: a block pressed onto another one and moved."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 

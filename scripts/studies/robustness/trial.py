@@ -1,7 +1,5 @@
 """A model in all its variations, and what each is held to."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

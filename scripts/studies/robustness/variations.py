@@ -1,7 +1,5 @@
 """What a model is turned into: shortened, watched at all nodes, cut back, with given times, with another solver."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from lxml import etree

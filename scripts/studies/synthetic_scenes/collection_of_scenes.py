@@ -1,7 +1,5 @@
 """The scenes, one entry each: what it stands for, its bodies, its load, and FEBio's interface between them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path

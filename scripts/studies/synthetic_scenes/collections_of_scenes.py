@@ -1,7 +1,5 @@
 """The collections of scenes, what is run of each, and where its results stand."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum

@@ -1,7 +1,5 @@
 """Scenes of shells, of two rigid bodies and of modules with a fluid: what slab and block have no words for."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 

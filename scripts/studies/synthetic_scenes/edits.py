@@ -1,7 +1,5 @@
 """What a model file says that the builders have no words for: a change of its XML, one function each."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from copy import deepcopy
 from pathlib import Path

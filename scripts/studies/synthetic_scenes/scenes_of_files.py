@@ -1,7 +1,5 @@
 """Scenes of what model files hold beside bodies and loads: solvers, steps, sets, included files, loads, friction."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path

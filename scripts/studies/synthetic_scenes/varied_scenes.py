@@ -1,7 +1,5 @@
 """Reported scenes with materials, parameters of contact, sides and solver drawn at random, from seeds."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace

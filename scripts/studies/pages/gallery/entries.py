@@ -1,7 +1,5 @@
 """The gallery: models that a user would start from, and what is shown of each."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol

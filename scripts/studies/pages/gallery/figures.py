@@ -1,7 +1,5 @@
 """Draws what the gallery shows of a model: concentration over the deformed bodies, and curves over time."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from itertools import cycle
 from pathlib import Path

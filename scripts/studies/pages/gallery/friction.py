@@ -1,7 +1,5 @@
 """The pictures of friction: mu_eff of a plate on a layer over time, and a joint with its stick and slip zones."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

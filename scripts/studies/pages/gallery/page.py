@@ -1,7 +1,5 @@
 """The page of the gallery and the numbers on it: docs/gallery.md and docs/data/gallery.json."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping

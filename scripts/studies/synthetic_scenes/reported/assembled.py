@@ -1,7 +1,5 @@
 """Bodies that joints, springs, weights and shells hold, contact that begins in a later step, and rolling bodies."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """Layers of very different permeability, and charged layers with salt in them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

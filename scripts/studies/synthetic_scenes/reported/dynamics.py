@@ -1,7 +1,5 @@
 """Impacts, and elements that erode while they are in contact. Densities are in t/mm^3."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Every scene of this collection, by name."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from studies.synthetic_scenes.reported import (

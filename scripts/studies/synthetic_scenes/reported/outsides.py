@@ -1,7 +1,5 @@
 """Whole outsides as surfaces, edges and leans, folded sheets and bodies that touch themselves."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Biphasic bodies and ones with a solute: undrained steps, punches, slides, layers, quasi-Newton methods."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial

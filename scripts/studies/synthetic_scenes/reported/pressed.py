@@ -1,7 +1,5 @@
 """Bodies of any stiffness, unit and element that are pressed, stacked, turned, bent or blown onto each other."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial

@@ -1,7 +1,5 @@
 """Rigid cams, punches, wheels and plates against rigid and soft bodies, nearly incompressible ones among them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial

@@ -1,7 +1,5 @@
 """Bodies of any element as mapped grids, with the sides that contacts and loads name."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

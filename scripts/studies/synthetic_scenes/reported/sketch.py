@@ -1,7 +1,5 @@
 """A model of mapped bodies: what a scene says, and its file with FEBio's interface."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate

@@ -1,7 +1,5 @@
 """Hyperelastic blocks and incongruent cylinders that slide: two passes, augmentations, friction, every element."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 

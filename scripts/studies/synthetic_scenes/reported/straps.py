@@ -1,7 +1,5 @@
 """Thin shells and strips on rigid bodies: tendons over bones, caps on heads, plates under rods."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 

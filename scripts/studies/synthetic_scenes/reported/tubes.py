@@ -1,7 +1,5 @@
 """Rods in tubes, rings that grow into tubes, and crossed tubes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
