@@ -56,6 +56,13 @@ def interleave(
     return found
 
 
+def beside(model: Model, reference: Model, repetitions: int) -> list[tuple[engine.Run, engine.Run]]:
+    """Runs of a model and of a reference, in turn."""
+    runs = {name: partial(execute, each) for name, each in (("own", model), ("reference", reference))}
+    own, other = interleave(runs, repetitions).values()
+    return [(one, two) for (one, _), (two, _) in zip(own, other, strict=True)]
+
+
 def in_turn(runs: Mapping[Key, RunResult], repetitions: int) -> dict[Key, list[float]]:
     """Processor times (s) of runs that are done, and of as many repetitions in turn of those that are short."""
     again = {key: partial(execute, run.model) for key, run in runs.items() if run.cpu < SHORT}

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from statistics import median
 
 import numpy as np
@@ -120,10 +119,9 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
 
 def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, float, float]]:
     """Median wall and processor time (s) of a model; median, least, largest ratio of the latter to its reference's."""
-    runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("conforming", reference))}
-    own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
-    ratios = [a.cpu / b.cpu for a, b in zip(own, other, strict=True)]
-    return median(r.wall for r in own), median(r.cpu for r in own), timing.spread(ratios)
+    pairs = timing.beside(model, reference, PAIRS)
+    walls, times = (run.wall for run, _ in pairs), (run.cpu for run, _ in pairs)
+    return median(walls), median(times), timing.spread([run.cpu / other.cpu for run, other in pairs])
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:

@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import partial
 
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.parts import Param
@@ -168,9 +167,8 @@ def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float
     """The error of a sheared block, and its times over those of the conforming reference, run in turn."""
     joined = ShearedBlocks(Kind.BIPHASIC, InterfaceType.CONFORMING, name="friction-cost-conforming")
     reference = runner(joined.model())
-    runs = {name: partial(timing.execute, each.model) for name, each in (("own", run), ("conforming", reference))}
-    own, other = ([done.cpu for done, _ in found] for found in timing.interleave(runs, PAIRS).values())
-    return displaced(run, reference), [a / b for a, b in zip(own, other, strict=True)]
+    pairs = timing.beside(run.model, reference.model, PAIRS)
+    return displaced(run, reference), [own.cpu / other.cpu for own, other in pairs]
 
 
 LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from harness.errors import HarnessError
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies import diagnosis
@@ -66,11 +65,9 @@ def make(runner: Runner, name: str, mesh: Fineness, febio: Sequence[Interface] =
 
     Raises
     ------
-    HarnessError
-        For an unknown case, or without an engine or plugin.
+    EngineNotFoundError, PluginNotFoundError
+        See `harness.run.engine`.
     """
-    if name not in CASES:
-        raise HarnessError(f"'{name}' is no hard case of friction; there is {', '.join(CASES)}")
     case = CASES[name]
     run = runner(case.scene.model(mesh, Interface.MIXTURE), check=False)
     plain = runner(case.frictionless.model(mesh, Interface.MIXTURE), check=False)

@@ -200,18 +200,6 @@ def contact(name: str, pair: str, kind: str = "sliding-mixture", params: str = "
     return f'<contact name="{name}" type="{kind}" surface_pair="{pair}"{inner}'
 
 
-def erosion(criterion: str, surfaces: str = "yes", params: str = "") -> str:
-    """A mesh adaptor that erodes elements by a criterion; surfaces: no, yes (facets go with them) or grow."""
-    inner = f"<max_iters>1</max_iters><erode_surfaces>{surfaces}</erode_surfaces>{params}{criterion}"
-    return f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>'
-
-
-def these_elements(numbers: Iterable[int]) -> str:
-    """A criterion of a mesh adaptor: elements by their numbers."""
-    listed = ",".join(map(str, numbers))
-    return f'<criterion type="element_selection"><value>1</value><element_list>{listed}</element_list></criterion>'
-
-
 @dataclass(frozen=True)
 class Scheme:
     """Steps and solver, as users give them."""

@@ -43,22 +43,6 @@ def linear_solver(name: str) -> Change:
     return lambda model: model.changed("solver", lambda solver: etree.SubElement(solver, "linear_solver", type=name))
 
 
-def time_step(size: float) -> Change:
-    """Steps of this size, s, with the load curves in proportion."""
-
-    def change(model: Feb) -> Feb:
-        made = model.copy()
-        for control in made.controls:
-            factor = size / xml.number(control, "step_size", 1.0)
-            xml.put(control, "step_size", f"{size:.17g}")
-        for point in made.root.iter("pt"):
-            time, value = (point.text or "").split(",")
-            point.text = f"{float(time) * factor:.17g},{value}"
-        return made
-
-    return change
-
-
 @dataclass(frozen=True)
 class Renumbered:
     """New numbers for the nodes of a model, and back: node n becomes `numbers[n - 1]`."""
