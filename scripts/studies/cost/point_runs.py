@@ -80,25 +80,10 @@ def _datum(point: Point, run: RunResult, times: Sequence[float], runner: Runner)
         contact_error = compare.largest_difference(run, reference, "c1")
         error = _error_closed(point, run)
         wall, cpu, ratios = _pairs(run.model, reference.model)
+    setting = (point.problem.value, point.interface.value, point.parameter.value, point.value)
     report = run.report
-    return Datum(
-        point.problem.value,
-        point.interface.value,
-        point.parameter.value,
-        point.value,
-        ended,
-        contact_error,
-        error,
-        report.steps,
-        report.iterations,
-        report.residuals,
-        report.retries,
-        wall,
-        cpu,
-        cpu_low,
-        cpu_high,
-        *ratios,
-    )
+    counts = (report.steps, report.iterations, report.residuals, report.retries)
+    return Datum(*setting, ended, contact_error, error, *counts, wall, cpu, cpu_low, cpu_high, *ratios)
 
 
 def _error_closed(point: Point, run: RunResult) -> float:

@@ -106,11 +106,8 @@ class Point:
         if self.parameter is Parameter.PREDICTOR:
             return replace(base, extra=(Param("predictor", bool(self.value)),))
         if self.parameter in (Parameter.INTEGRATION, Parameter.LAGMULT):
-            return replace(
-                base,
-                laugon="LAGMULT" if self.parameter is Parameter.LAGMULT else None,
-                integration="segments" if self.value else "gauss",
-            )
+            laugon = "LAGMULT" if self.parameter is Parameter.LAGMULT else None
+            return replace(base, laugon=laugon, integration="segments" if self.value else "gauss")
         return base
 
     def model(self, interface: InterfaceType | None = None) -> Model:

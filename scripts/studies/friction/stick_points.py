@@ -149,18 +149,9 @@ def _datum(point: Point, run: RunResult, times: Sequence[float], runner: Runner)
         error, times = _error_and_ratios(run, runner)
     else:
         error = slip_zones.zones(run).measures(1.0)[0].value if report.normal else math.nan
-    return Datum(
-        point.problem.value,
-        point.interface.value,
-        point.parameter.value,
-        point.value,
-        report.normal,
-        error,
-        report.iterations,
-        report.retries,
-        report.augmentations,
-        *timing.spread(times),
-    )
+    setting = (point.problem.value, point.interface.value, point.parameter.value, point.value)
+    counts = (report.iterations, report.retries, report.augmentations)
+    return Datum(*setting, report.normal, error, *counts, *timing.spread(times))
 
 
 def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float]]:

@@ -37,17 +37,12 @@ def fuzz(
     seed N.
     """
     deadline = time.time() + 60.0 * minutes
-    wanted = {}
-    for first in range(seed, seed + count, CHUNK):
-        for each in kind or Kind:
-            size = min(CHUNK, seed + count - first)
-            wanted[f"{each.value}-{first}-{size}"] = (
-                "fuzz-seeds",
-                each.value,
-                str(first),
-                str(size),
-                f"{deadline:.0f}",
-            )
+    chunks = [(first, min(CHUNK, seed + count - first)) for first in range(seed, seed + count, CHUNK)]
+    wanted = {
+        f"{each.value}-{first}-{size}": ("fuzz-seeds", each.value, str(first), str(size), f"{deadline:.0f}")
+        for first, size in chunks
+        for each in kind or Kind
+    }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs)
     trials = [Trial(**entry) for path in paths for entry in json.loads(path.read_text())]
     for each in kind or Kind:

@@ -36,13 +36,8 @@ def hard_cases(
     """
     wanted = {
         f"{case}-{made.value}-{each.value}": (
-            "hard-case",
-            case,
-            made.value,
-            "--interface",
-            each.value,
-            "--limit",
-            str(limit),
+            *("hard-case", case, made.value),
+            *("--interface", each.value, "--limit", str(limit)),
         )
         for made, case, each in product(mesh or Fineness, chosen(only, CASES), interface or Interface)
     }

@@ -185,10 +185,8 @@ class Press:
         first, last = self.below[number - 1], self.above[number - 1]
         middle = first + (last - first) * resistance[0] / sum(resistance)
         exact = np.empty(len(model.mesh.nodes))
-        base = (
-            -1.0,
-            float(model.mesh.nodes[:, 2].max()) - 1.0,
-        )  # of the two blocks, which are 1 mm high but for a warp
+        # Bottoms of the two blocks, which are 1 mm high but for a warp.
+        base = (-1.0, float(model.mesh.nodes[:, 2].max()) - 1.0)
         ends = ((first, middle), (middle, last))
         for part, (low, high), start in zip(model.mesh.parts, ends, base, strict=True):
             ids = np.unique(part.elements) - 1

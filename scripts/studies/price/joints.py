@@ -108,21 +108,12 @@ def ratios(runs: Sequence[Timed], reference: Sequence[Timed]) -> list[float]:
 
 def _price(name: str, contact: str, runs: Sequence[Timed], reference: Sequence[Timed], facets: int) -> JointPrice:
     times = [found for _, log in runs for found in table.read(log)]
-    least = min(times, key=lambda found: found.share, default=None)
+    share, points = min(((found.share, found.points) for found in times), default=(float("nan"), 0))
     first, log = runs[0]
-    return JointPrice(
-        name,
-        contact,
-        all(run.report.normal for run, _ in runs),
-        *(first.report.iterations, first.report.retries, first.report.reformations),
-        median(run.cpu for run, _ in runs),
-        *timing.spread(ratios(runs, reference)),
-        least.share if least else float("nan"),
-        least.points if least else 0,
-        facets,
-        table.unknowns(log),
-        table.entries(log),
-    )
+    counts = (first.report.iterations, first.report.retries, first.report.reformations)
+    spent = (median(run.cpu for run, _ in runs), *timing.spread(ratios(runs, reference)))
+    size = (facets, table.unknowns(log), table.entries(log))
+    return JointPrice(name, contact, all(run.report.normal for run, _ in runs), *counts, *spent, share, points, *size)
 
 
 class Joint(NamedTuple):
