@@ -41,8 +41,6 @@ A ball in its socket: two layers of {material} with a thickness of 2 mm cover ri
 
 @dataclass(frozen=True)
 class BallInSocket:
-    """Choices of the scene."""
-
     elements: int = 8
     """Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more."""
     quadratic: bool = False

@@ -28,8 +28,6 @@ of symmetry."""
 
 @dataclass(frozen=True)
 class ConcentricSpheres:
-    """Choices of this problem."""
-
     friction: float = 0.5
     """Coefficient between the shells."""
     elements: int = 8

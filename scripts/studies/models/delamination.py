@@ -69,8 +69,6 @@ impermeable."""
 
 @dataclass(frozen=True)
 class Delamination:
-    """Choices of the delamination."""
-
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = TIE
     along: tuple[int, int] = (48, 24)

@@ -36,8 +36,6 @@ By symmetry a quarter is modelled, within ten radii of the contact."""
 
 @dataclass(frozen=True)
 class ElasticHertz:
-    """Choices of this problem."""
-
     elements: int = 5
     """Over the radius of the contact."""
     name: str = "elastic-hertz"

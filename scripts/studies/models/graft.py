@@ -58,8 +58,6 @@ bone below is impermeable, and no load acts on the top. By symmetry, the model c
 
 @dataclass(frozen=True)
 class Graft:
-    """Choices of the graft."""
-
     around: int = 4
     """Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many."""
     outward: int = 7

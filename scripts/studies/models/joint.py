@@ -81,8 +81,6 @@ class Source(Enum):
 
 @dataclass(frozen=True)
 class Joint:
-    """Choices of the joint section."""
-
     cycles: int = 10
     across: int = 24
     through: int = 8

@@ -51,8 +51,6 @@ def film_params(film: Film, **sol: str) -> tuple[Param, ...]:
 
 @dataclass(frozen=True)
 class Membrane(Layered):
-    """Choices of the model."""
-
     elements: int = 40
     control: Control = Control(60, 2e4)
     name: str = "membrane"

@@ -48,8 +48,6 @@ A cylinder of radius 10 mm on a block, the same material, pressed and then pushe
 
 @dataclass(frozen=True)
 class PartialSlip:
-    """Choices of this problem."""
-
     elements: int = 10
     """Over half the width of the contact."""
     settings: ContactSettings | None = None

@@ -54,8 +54,6 @@ The effective friction coefficient grows from phi mu_eq to mu_eq within about h^
 
 @dataclass(frozen=True)
 class PlateOnLayer:
-    """Choices of this problem."""
-
     solid_fraction: float = 0.1
     """phi, the fraction of the contact that is solid on solid."""
     layer_is_primary: bool = True

@@ -46,8 +46,6 @@ the lower contact transmits traction alone."""
 
 @dataclass(frozen=True)
 class Platens:
-    """Choices of the compression test."""
-
     elements: int = 20
     """Through the sample; a platen has a fifth of it."""
     control: Control = Control(120, 25.0)

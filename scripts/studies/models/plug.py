@@ -53,8 +53,6 @@ impermeable. By symmetry, the model contains a quarter of both bodies."""
 
 @dataclass(frozen=True)
 class Plug:
-    """Choices of the plug."""
-
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = ContactSettings()
     around: tuple[int, int] = (4, 3)

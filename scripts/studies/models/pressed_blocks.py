@@ -1,6 +1,7 @@
 """Two blocks of hexahedra with many facets that do not match, pressed together."""
 
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, header
@@ -20,8 +21,6 @@ Two elastic blocks of 1 mm x 1 mm x 1 mm, whose facets do not match. The top of 
 
 @dataclass(frozen=True)
 class PressedBlocks:
-    """Choices of the scene."""
-
     lower: int = 50
     upper: int = 46
     """Elements of the two blocks along x and y."""
@@ -34,16 +33,8 @@ class PressedBlocks:
     steps: int = 2
     """Time steps."""
     name: str = "pressed-blocks"
-
-    @property
-    def primary(self) -> str:
-        """Surface that the contact integrates over."""
-        return PRIMARY
-
-    @property
-    def porous(self) -> bool:
-        """They are elastic."""
-        return False
+    primary: ClassVar[str] = PRIMARY
+    porous: ClassVar[bool] = False
 
     def model(self) -> Model:
         interface = InterfaceType.ours_in([self.contact])

@@ -47,8 +47,6 @@ the same block in one piece. Both ends drain."""
 
 @dataclass(frozen=True)
 class ShearedBlocks:
-    """Choices of this problem."""
-
     kind: Kind = Kind.ELASTIC
     """``elastic``, ``biphasic`` or ``biphasic-solute``."""
     interface: InterfaceType = InterfaceType.MIXTURE

@@ -32,8 +32,6 @@ of Zimmerman and Ateshian (2018), J Biomech Eng 140(8):081013. The contact stick
 
 @dataclass(frozen=True)
 class TwistingHemisphere:
-    """Choices of this problem."""
-
     elements: int = 6
     """Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge."""
     interface: InterfaceType = InterfaceType.MIXTURE

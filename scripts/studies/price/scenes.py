@@ -63,8 +63,6 @@ class Kind(str, Enum):
 
 @dataclass(frozen=True)
 class Scene:
-    """Choices of the scene."""
-
     kind: Kind
     contact: str = InterfaceType.MIXTURE.value
     """Type of the contact; ``conforming`` for one body without a contact."""

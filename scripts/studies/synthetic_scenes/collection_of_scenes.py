@@ -145,28 +145,18 @@ class Scene:
         solutes = sorted({solute.sol for body in (self.slab, self.block) for solute in body.solutes})
         ambient = tuple(_ambient(self.contact, sol) for sol in solutes)
         stepper = TimeStepper(0.1, retries=8, optimal_iterations=15) if self.stepper else None
+        gap, steps = GAP if self.force is None else -OVERLAP, 20 if self.slides else 10
+        analysis = "DYNAMIC" if self.dynamic else None
         # One material may stand for any of the types: a model writes what it is given.
         materials: dict[str, Material] = {SLAB: self.slab, BLOCK: self.block}  # type: ignore[dict-item]
         return Model(
             name=name,
             header=self.about,
             module=self.module,
-            mesh=mesh(
-                self.elements,
-                self.shape,
-                self.primary,
-                GAP if self.force is None else -OVERLAP,
-                Cells().times(self.fineness),
-            ),
+            mesh=mesh(self.elements, self.shape, self.primary, gap, Cells().times(self.fineness)),
             materials=materials,
             conditions=tuple(self._conditions(solutes)),
-            control=Control(
-                20 if self.slides else 10,
-                0.1,
-                reformations=25,
-                stepper=stepper,
-                analysis="DYNAMIC" if self.dynamic else None,
-            ),
+            control=Control(steps, 0.1, reformations=25, stepper=stepper, analysis=analysis),
             contacts=(Contact(self.contact, PAIR, (*self.params, *ambient)),),
             curves=(Curve(((0.0, 0.0), (1.0, 1.0))), Curve(((0.0, 0.0), (1.0, 0.0), (2.0, 1.0)))),
         )
@@ -188,13 +178,10 @@ class Scene:
             if rigid:
                 return [hold_rigid(BLOCK, "xyuvw"), push_rigid(BLOCK, "z", -self.force, 1)]
             return [fix(LOADED, "xy"), normal_load(LOADED, self.force, 1)]
-        free = "yuvw" if self.slides else "xyuvw"
-        along = "y" if self.slides else "xy"
-        if rigid:
-            moves = [hold_rigid(BLOCK, free), move_rigid(BLOCK, "z", -DEPTH, 1)]
-            return [*moves, move_rigid(BLOCK, "x", SLIDE, 2)] if self.slides else moves
-        moves = [fix(LOADED, along), displace(LOADED, "z", -DEPTH, 1)]
-        return [*moves, displace(LOADED, "x", SLIDE, 2)] if self.slides else moves
+        held = "y" if self.slides else "xy"
+        move, where = (move_rigid, BLOCK) if rigid else (displace, LOADED)
+        slide = [move(where, "x", SLIDE, 2)] if self.slides else []
+        return [hold_rigid(BLOCK, f"{held}uvw") if rigid else fix(LOADED, held), move(where, "z", -DEPTH, 1), *slide]
 
 
 def _ambient(contact: str, sol: int) -> Param:
@@ -202,15 +189,9 @@ def _ambient(contact: str, sol: int) -> Param:
     return Param("ambient_concentration", 0.5, attributes=attributes)
 
 
-def _penalty(
-    value: float, *extra: Param, solvent: float | None = None, solute: float | None = None
-) -> tuple[Param, ...]:
+def _penalty(value: float, *extra: Param) -> tuple[Param, ...]:
     """Automatic penalties with factors, as users set them."""
     found = [Param("laugon", "PENALTY"), Param("auto_penalty", True), Param("penalty", value)]
-    if solvent is not None:
-        found.append(Param("pressure_penalty", solvent))
-    if solute is not None:
-        found.append(Param("concentration_penalty", solute))
     replaced = {param.tag for param in extra}
     return (*(param for param in found if param.tag not in replaced), *extra)
 
@@ -273,7 +254,7 @@ def _mixtures() -> dict[str, Scene]:
     wet = Scene(
         "biphasic bodies",
         contact="sliding-biphasic",
-        params=_penalty(10.0, Param("symmetric_stiffness", False), solvent=10.0),
+        params=_penalty(10.0, Param("pressure_penalty", 10.0), Param("symmetric_stiffness", False)),
         module="biphasic",
         slab=porous(),
         block=porous(2.0),
@@ -282,7 +263,11 @@ def _mixtures() -> dict[str, Scene]:
         wet,
         contact="sliding-biphasic-solute",
         module="solute",
-        params=_penalty(10.0, Param("symmetric_stiffness", False), solvent=10.0, solute=10.0),
+        params=_penalty(
+            10.0,
+            *(Param(f"{field}_penalty", 10.0) for field in ("pressure", "concentration")),
+            Param("symmetric_stiffness", False),
+        ),
         slab=porous(1.0, SOLUTE, "biphasic-solute"),
         block=porous(2.0, SOLUTE, "biphasic-solute"),
     )
