@@ -167,12 +167,9 @@ def mirrored(axis: int, tolerance: float) -> Callable[[RunResult], list[Measure]
         force = grip_force(run)
         normal = np.abs(force[:, 2])
         grows = float(np.min(np.diff(normal[: int(np.argmax(normal)) + 1])) / normal.max())
+        across = float(np.abs(force[:, axis]).max() / normal.max())
         return [
-            Measure(
-                "force across the plane of symmetry, relative",
-                float(np.abs(force[:, axis]).max() / normal.max()),
-                tolerance,
-            ),
+            Measure("force across the plane of symmetry, relative", across, tolerance),
             Measure("normal force on the way down, smallest growth", -grows, 1e-6),
         ]
 

@@ -33,15 +33,11 @@ class EffectCost:
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[EffectCost]:
     """Run all scenes in turn, `repetitions` times."""
     runs = timing.interleave(
-        {name: partial(_log, scene) for name, scene in scenes.items()},
+        {name: partial(timing.execute, scene.model(), processor_limit=LIMIT) for name, scene in scenes.items()},
         repetitions,
         lambda name, number: announce(f"{name} ({number} of {repetitions})"),
     )
-    return [cost for name, logs in runs.items() for cost in costs(name, logs)]
-
-
-def _log(scene: Scene) -> str:
-    return timing.execute(scene.model(), processor_limit=LIMIT)[1]
+    return [cost for name, found in runs.items() for cost in costs(name, [log for _, log in found])]
 
 
 def costs(scene: str, logs: Sequence[str]) -> list[EffectCost]:

@@ -45,11 +45,6 @@ def elastic() -> Feb:
     return xml.made(model)
 
 
-def is_elastic(model: Feb) -> bool:
-    """Whether the solvers for elastic bodies can solve a model."""
-    return model.module == "solid"
-
-
 def _newton(control: Element) -> Element:
     """FEBio's solver `solid`, without a method of its own to form matrices."""
     solver = xml.only(control, "solver")

@@ -62,7 +62,7 @@ class Trial:
             size = variations.end_of(seen) / plain.report.steps
             yield self._cut_back("cut back", seen, variations.cut_back(seen, size), forced=True)
             yield self._cut_back("few matrices", seen, variations.starved(seen, variations.FEWEST), forced=False)
-        if solvers.is_elastic(model):
+        if model.module == "solid":
             for name in solvers.SOLVERS:
                 yield self._solved_by(name, seen, plain)
 

@@ -34,12 +34,6 @@ from studies.synthetic_scenes.reported.words import (
 TURN = 2.0 * np.pi
 
 
-def _cam(eccentric: float, stretch: float) -> Place:
-    """A disc along y that turns about the origin."""
-    disc = turned(arc(0.3, 1.0, 0.6), "x", 90.0)
-    return shifted(scaled(disc, (stretch, 1.0, 1.0)), (eccentric, 0.0, 0.0))
-
-
 @dataclass(frozen=True)
 class Cam:
     """A rigid cam turns under a follower that a force presses onto it."""
@@ -51,10 +45,11 @@ class Cam:
 
     def __call__(self) -> Sketch:
         follower = mapped((8, 2, 2), box((-1.2, -0.4, 0.99), (1.8, 0.4, 1.4)))
+        disc = scaled(turned(arc(0.3, 1.0, 0.6), "x", 90.0), (self.stretch, 1.0, 1.0))  # along y
         held = fixed("follower-z1", "x", "y") if self.soft else hold("follower", "xyuvw")
         pressed = press("follower-z1", 0.05, 4) if self.soft else push("follower", "z", -0.1, 4)
         return Sketch(
-            {"cam": mapped((1, 48, 2), _cam(self.eccentric, self.stretch)), "follower": follower},
+            {"cam": mapped((1, 48, 2), shifted(disc, (self.eccentric, 0.0, 0.0))), "follower": follower},
             {"cam": rigid(), "follower": neo(5.0) if self.soft else rigid((0.3, 0.0, 1.2))},
             (Touch("cam-x1", "follower-z0", params=self.params),),
             (hold("cam", "xyzuw"), spin("cam", "Rv", TURN, 1), held, pressed),
