@@ -1,9 +1,7 @@
 """The command `fuzz`."""
 
-import json
 import time
 from collections import Counter
-from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
 
@@ -11,7 +9,7 @@ import typer
 
 from harness.paths import RESULTS
 from harness.run.runner import Runner
-from studies import workflow
+from studies import files, workflow
 from studies.fuzz.draws import Kind
 from studies.fuzz.seed_trial import Trial, attempt
 from studies.options import Folder, Jobs, console
@@ -44,7 +42,7 @@ def fuzz(
         for each in kind or Kind
     }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs)
-    trials = [Trial(**entry) for path in paths for entry in json.loads(path.read_text())]
+    trials = [trial for path in paths for trial in files.read_json(path, Trial)]
     for each in kind or Kind:
         own = [trial for trial in trials if trial.kind == each.value]
         counts = Counter("fault" if trial.faulty else trial.result for trial in own)
@@ -70,4 +68,4 @@ def fuzz_seeds(
         if time.time() > deadline:
             raise typer.Exit(1)
         trials.append(attempt(kind, seed, runner))
-    out.write_text(json.dumps([asdict(trial) for trial in trials], indent=1))
+    files.write_json(trials, out)

@@ -82,10 +82,8 @@ Table = dict[tuple[str, str], dict[str, Outcome]]
 
 def arranged(outcomes: Sequence[Outcome]) -> Table:
     """Outcomes by case and mesh, in the order in which they come."""
-    found: Table = {}
-    for outcome in outcomes:
-        found.setdefault((outcome.case, outcome.mesh), {})[outcome.interface] = outcome
-    return found
+    rows = tables.grouped(outcomes, lambda outcome: (outcome.case, outcome.mesh))
+    return {key: {outcome.interface: outcome for outcome in row} for key, row in rows.items()}
 
 
 def summary(outcomes: Sequence[Outcome]) -> str:

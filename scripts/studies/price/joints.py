@@ -132,9 +132,7 @@ def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
     DataFileError
         Where a scene lacks one of its contacts.
     """
-    scenes: dict[str, list[JointPrice]] = {}
-    for price in prices:
-        scenes.setdefault(price.scene, []).append(price)
+    scenes = tables.grouped(prices, lambda price: price.scene)
     for name, own in scenes.items():
         if [price.type for price in own[:-1]] != [OURS, PREDICTED]:
             raise DataFileError(f"'{name}' is not there with all contacts; `price --docs` measures it anew")

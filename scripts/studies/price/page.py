@@ -50,10 +50,7 @@ def figures() -> Mapping[str, str]:
 
 
 def _by_scene(costs: Sequence[EffectCost]) -> dict[str, list[EffectCost]]:
-    found: dict[str, list[EffectCost]] = {}
-    for cost in costs:
-        found.setdefault(cost.scene, []).append(cost)
-    return found
+    return tables.grouped(costs, lambda cost: cost.scene)
 
 
 def _details(costs: Sequence[EffectCost]) -> str:
