@@ -9,8 +9,9 @@ from harness.models.parts import Param
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
 from studies.closed_forms import incline
-from studies.hard_cases.catalogue import CORNER, CURVED, PRESSED, slider, spinner, wedge
+from studies.hard_cases.catalogue import CORNER, CURVED, EDGE, PRESSED, TURNED, slider
 from studies.hard_cases.pushed import Pushed, Shape, along, grip_force, slab, spinning
+from studies.models.pieces import Motion
 
 FRICTION, SOLID_FRACTION = 0.3, 0.1
 """mu_eq and phi of the cases that do not say otherwise."""
@@ -84,6 +85,11 @@ def _slide(
     return Pushed(track, block, along(path), times, bounds, extra=rubs(friction, solid_fraction))
 
 
+def _with(scene: Pushed, motion: Motion, times: tuple[float, ...]) -> Pushed:
+    """A scene of the frictionless hard cases with friction, its own motion and times."""
+    return replace(scene, motion=motion, times=times, bounds=free, extra=(*scene.extra, *rubs()))
+
+
 def _zigzag(start: float, period: float, cycles: int, way: float, depth: float) -> Path:
     """There and back along x from the place where it is pressed down."""
     turns = [(start + period * (k + 0.5) / 2.0, way * (-1.0) ** k) for k in range(2 * cycles)]
@@ -142,15 +148,7 @@ CASES: dict[str, Rubbing] = {
     ),
     "rotation": Rubbing(
         "a body turned by 90 degrees in contact",
-        Pushed(
-            lambda f: slab((-0.8, -0.8, -0.6), (0.8, 0.8, 0.0), (4 * f, 4 * f, 2 * f)),
-            spinner,
-            spinning(0.03, 1000.0, 5000.0, 90.0),
-            every(125.0, 5000.0),
-            free,
-            plane=False,
-            extra=rubs(),
-        ),
+        _with(TURNED, spinning(0.03, 1000.0, 5000.0, 90.0), every(125.0, 5000.0)),
     ),
     "twenty-facets": Rubbing(
         "large sliding over many facets",
@@ -161,21 +159,10 @@ CASES: dict[str, Rubbing] = {
     ),
     "round-on-round": Rubbing("curved on curved, facet ratio 1:8", replace(CURVED, bounds=free, extra=rubs())),
     "edge": Rubbing(
-        "an edge pressed into a face and drawn along it",
-        Pushed(
-            lambda f: slab((-1.0, 0.0, -0.8), (1.0, 0.25, 0.0), (8 * f, 1, 4 * f)),
-            wedge,
-            along(DOWN_AND_ALONG),
-            every(50.0, 2000.0),
-            free,
-            extra=rubs(),
-        ),
+        "an edge pressed into a face and drawn along it", _with(EDGE, along(DOWN_AND_ALONG), every(50.0, 2000.0))
     ),
     "corner": Rubbing(
-        "a corner pressed into a face and drawn along it",
-        replace(
-            CORNER, motion=along(DOWN_AND_ALONG), times=every(50.0, 2000.0), bounds=free, extra=(*CORNER.extra, *rubs())
-        ),
+        "a corner pressed into a face and drawn along it", _with(CORNER, along(DOWN_AND_ALONG), every(50.0, 2000.0))
     ),
     "fast-and-drained": Rubbing(
         "phi = 0.5, pressed at once, and sliding until the load has drained",
