@@ -1,7 +1,5 @@
 """The command line of the harness in the repository: which command stands in which module."""
 
-from __future__ import annotations
-
 import sys
 
 from harness.user_commands import FOR_EVERYBODY, commands, start

@@ -1,7 +1,5 @@
 """Reads from febio4's log how each attempt at a time step went, and what made it fail."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections import Counter
@@ -36,29 +34,19 @@ class FailureMode(str, Enum):
 
 @dataclass(frozen=True)
 class Attempt:
-    """One attempt at a time step.
-
-    Attributes
-    ----------
-    time : float
-        Where the step was to end, s.
-    residuals : tuple of float
-        Squared norm after each Newton iteration.
-    searches : tuple of float
-        Factor of the line search in each iteration.
-    unmet : tuple of str
-        Norms that still missed their tolerance in the last iteration.
-    converged : bool
-    error : str
-        FEBio's own words.
-    """
+    """One attempt at a time step."""
 
     time: float
+    """Where the step was to end, s."""
     residuals: tuple[float, ...]
+    """Squared norm after each Newton iteration."""
     searches: tuple[float, ...]
+    """Factor of the line search in each iteration."""
     unmet: tuple[str, ...]
+    """Norms that still missed their tolerance in the last iteration."""
     converged: bool
     error: str
+    """FEBio's own words."""
 
     @property
     def failure_mode(self) -> FailureMode:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -56,6 +56,13 @@ class Feb:
     def copy(self) -> Feb:
         """One that may be changed."""
         return Feb(self.name, copy.deepcopy(self.root))
+
+    def changed(self, tag: str, change: Callable[[Element], object]) -> Feb:
+        """The same model with a change of each element of this tag, such as ``Control`` or ``contact``."""
+        made = self.copy()
+        for element in list(made.root.iter(tag)):
+            change(element)
+        return made
 
     def write(self, folder: Path) -> Path:
         """Write it into an empty folder."""

@@ -7,7 +7,7 @@ import json
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, TypeVar, get_type_hints
 
 from matplotlib.figure import Figure
 
@@ -31,7 +31,8 @@ def read_json(path: Path, kind: type[Row]) -> list[Row]:
 
 
 def write_csv(data: Sequence[Row], kind: type[Row], path: Path, stamp: Stamp) -> None:
-    """Write data of a kind as a table, with what they were made with in its first line."""
+    """Write data of a kind as a table, with their stamp in its first line, in a folder that is made where needed."""
+    path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="") as file:
         file.write(f"# {json.dumps(asdict(stamp))}\n")
         rows = csv.writer(file, lineterminator="\n")
@@ -59,8 +60,8 @@ def read_csv(path: Path, kind: type[Row]) -> list[Row]:
 
 
 def _row(row: dict[str, str], kind: type[Row]) -> Row:
-    kinds: dict[str, Callable[[str], object]] = {"str": str, "int": int, "float": float, "bool": "True".__eq__}
-    return kind(**{field.name: kinds[str(field.type)](row[field.name]) for field in fields(kind)})
+    kinds: dict[type, Callable[[str], object]] = {str: str, int: int, float: float, bool: "True".__eq__}
+    return kind(**{name: kinds[type_](row[name]) for name, type_ in get_type_hints(kind).items()})
 
 
 def save_figure(figure: Figure, path: Path) -> Path:

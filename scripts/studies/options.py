@@ -1,7 +1,5 @@
 """The console of the commands, and options that several of them have."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 from typing import Annotated

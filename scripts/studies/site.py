@@ -1,7 +1,5 @@
 """All generated pages of the documentation, the files of models/, and the command that writes them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """What measured results were made with, and the limit of processor time that the runs of all comparisons have."""
 
-from __future__ import annotations
-
 import subprocess
 from dataclasses import dataclass
 
@@ -30,24 +28,16 @@ SOURCES = ("plugin", "cmake", "CMakeLists.txt")
 
 @dataclass(frozen=True)
 class Stamp:
-    """What results were made with. Results on one page have one stamp.
-
-    Attributes
-    ----------
-    plugin : str
-        Version of the plugin.
-    commit : str
-        The last commit that changed its sources, with a + where they were changed since.
-    engine : str
-        What ran the models.
-    limit : float
-        s of processor time after which a run was ended; 0 without a limit.
-    """
+    """What results were made with. Results on one page have one stamp."""
 
     plugin: str
+    """Version of the plugin."""
     commit: str
+    """The last commit that changed its sources, with a + where they were changed since."""
     engine: str
+    """What ran the models."""
     limit: float = 0.0
+    """s of processor time after which a run was ended; 0 without a limit."""
 
     def __str__(self) -> str:
         """In words, for a page."""

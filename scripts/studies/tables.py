@@ -1,8 +1,10 @@
-"""Tables of Markdown."""
+"""Tables of Markdown, and rows in groups."""
 
-from __future__ import annotations
+from collections.abc import Callable, Hashable, Iterable, Sequence
+from typing import TypeVar
 
-from collections.abc import Iterable, Sequence
+Row = TypeVar("Row")
+Key = TypeVar("Key", bound=Hashable)
 
 
 def markdown(heads: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
@@ -10,3 +12,11 @@ def markdown(heads: Sequence[str], rows: Iterable[Iterable[object]]) -> str:
     lines = [heads, *([str(cell).replace("|", "/").replace("\n", " ") for cell in row] for row in rows)]
     first, *others = (f"| {' | '.join(cells)} |" for cells in lines)
     return "\n".join([first, "|---" * len(heads) + "|", *others])
+
+
+def grouped(rows: Iterable[Row], key: Callable[[Row], Key]) -> dict[Key, list[Row]]:
+    """Rows by a key, in the order in which they come."""
+    found: dict[Key, list[Row]] = {}
+    for row in rows:
+        found.setdefault(key(row), []).append(row)
+    return found

@@ -1,7 +1,5 @@
 """Runs that are timed: each by itself, and interleaved with those that they are compared with."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -56,6 +54,13 @@ def interleave(
                 announce(key, number)
             found[key].append(run())
     return found
+
+
+def beside(model: Model, reference: Model, repetitions: int) -> list[tuple[engine.Run, engine.Run]]:
+    """Runs of a model and of a reference, in turn."""
+    runs = {name: partial(execute, each) for name, each in (("own", model), ("reference", reference))}
+    own, other = interleave(runs, repetitions).values()
+    return [(one, two) for (one, _), (two, _) in zip(own, other, strict=True)]
 
 
 def in_turn(runs: Mapping[Key, RunResult], repetitions: int) -> dict[Key, list[float]]:

@@ -1,7 +1,5 @@
 """Many runs, driven by Snakemake: resumable, on local cores or, with its executors, on a cluster; and steps in turn."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

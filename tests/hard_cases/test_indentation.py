@@ -15,7 +15,7 @@ from harness.indentation.histories import curves
 from harness.models.indentation import CONTROL, END, Indentation
 from harness.models.indentation_mesh import Primary
 from harness.models.interface import ContactSettings
-from studies.models.indentation_variants import LEVELS
+from studies.models.kept_models import LEVELS
 from studies.models.pieces import PREDICTOR
 
 COARSE, MIDDLE = LEVELS[:2]

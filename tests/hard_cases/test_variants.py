@@ -39,7 +39,7 @@ def test_a_case_can_be_written_for_each_interface(name, mesh):
         assert np.all(volumes(model.mesh) > 0.0)
         root = etree.fromstring(model.text().split("?>", 1)[1].encode())
         kinds = {contact.get("type") for contact in root.iter("contact")}
-        assert kinds == {interface.contact_type(model.module).value}
+        assert kinds == {interface.contact_type.value}
 
 
 def test_a_moved_model_is_the_original_turned_and_shifted():

@@ -35,7 +35,7 @@ from harness.preflight.penalty import leak, penalty
 from harness.preflight.sides import TRACTION, Joint, solute
 from harness.user_commands import FOR_EVERYBODY, commands
 from studies.cli import main
-from studies.models.indentation_variants import LEVELS
+from studies.models.kept_models import LEVELS
 from studies.models.quadratic import quadratic
 
 COLLECTION = sorted(MODELS.glob("*.feb"))

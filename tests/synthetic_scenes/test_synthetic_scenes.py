@@ -8,7 +8,7 @@ from studies import feb
 from studies.pages import scene_results
 from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison
-from studies.synthetic_scenes.all_scenes import SCENES
+from studies.synthetic_scenes.collections_of_scenes import SCENES
 
 QUICK = ("material-Mooney-Rivlin", "rigid-free", "quasi-newton", "shells-back")
 SLOW = (

@@ -29,7 +29,7 @@ from harness.models.mesh import Box, assemble
 from harness.models.parts import Control, Curve, Mixture, Param, Solid, displace, fix, pressure
 from harness.preflight.model import read
 from harness.run import engine, logdata
-from studies.synthetic_scenes.all_scenes import SCENES
+from studies.synthetic_scenes.collections_of_scenes import SCENES
 
 pytestmark = pytest.mark.mixture_only
 

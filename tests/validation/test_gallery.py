@@ -15,7 +15,7 @@ from studies.models import delamination, joint, platens
 from studies.pages.gallery import cycle, entries, figures, page
 from studies.stamps import Stamp
 
-ENTRIES = {entry.model.name: entry for entry in entries.entries()}
+ENTRIES = {entry.model.name: entry for entry in entries.ENTRIES}
 PNG = b"\x89PNG"
 
 

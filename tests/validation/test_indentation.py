@@ -19,7 +19,7 @@ from harness.post.hexahedra import geometry, rule
 from harness.post.solute_balance import State
 from studies import diagnosis
 from studies.diagnosis import FailureMode
-from studies.models.indentation_variants import LEVELS
+from studies.models.kept_models import LEVELS
 from studies.models.quadratic import quadratic
 
 GRIDS = {

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from harness.models.interface import ContactSettings
 from harness.paths import DOCS
 from harness.run import engine
 from harness.run.febio_log import Report
@@ -53,7 +54,7 @@ def test_solvers_end_as_in_the_table(scene, enforcement, runner, tmp_path):
 
 @pytest.mark.mixture_only
 def test_the_log_judges_the_solver_that_febio_takes_by_default(runner, tmp_path):
-    model = MODELS["creep"]("PENALTY").write(tmp_path)
+    model = replace(MODELS["creep"], settings=ContactSettings(laugon="PENALTY")).model().write(tmp_path)
     settings = tmp_path / "febio.xml"
     settings.write_text(
         '<?xml version="1.0" encoding="ISO-8859-1"?>\n<febio_config version="3.0">\n'

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from harness.run import engine, logdata
-from studies.models.small import fixed, moved
+from studies.models.small import Scheme, fixed, moved
 from studies.synthetic_scenes.reported.shapes import box, mapped
-from studies.synthetic_scenes.reported.sketch import Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Sketch, Touch
 from studies.synthetic_scenes.reported.words import given, neo, radius
 
 pytestmark = pytest.mark.mixture_only

@@ -1,10 +1,9 @@
 """A scene with all devices of the solver, and with each of them left out."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from lxml import etree
@@ -24,41 +23,22 @@ ACTED = re.compile(r"(?:Number of actions of each solver device|solver device): 
 
 @dataclass(frozen=True)
 class Ablated:
-    """One run.
-
-    Attributes
-    ----------
-    scene, kind : str
-    without : str
-        The device that is left out, or ``nothing``, or ``any``.
-    ended : bool
-    iterations, retries, matrices : int
-    entries : int
-        The most of the matrix in the run.
-    time : float
-        Processor time of the run [s].
-    acted : str
-        How often devices acted.
-    """
+    """One run."""
 
     scene: str
     kind: str
     without: str
+    """The device that is left out, or ``nothing``, or ``any``."""
     ended: bool
     iterations: int
     retries: int
     matrices: int
     entries: int
+    """The most of the matrix in the run."""
     time: float
+    """Processor time of the run [s]."""
     acted: str
-
-
-@dataclass(frozen=True)
-class _LeftOut:
-    """What a run leaves out, by the name of its row, and the devices that it leaves on."""
-
-    what: str
-    others: str
+    """How often devices acted."""
 
 
 def devices() -> list[str]:
@@ -73,19 +53,20 @@ def ablate(name: str, scene: AblatedScene, left_out: Iterable[str], folder: Path
     A device that did not act in the run with all of them changes nothing, and takes the figures of that run.
     """
     made = scene.write(folder / re.sub(r"\W+", "-", name))
-    whole = _run(name, scene.kind, made, _LeftOut("nothing", ALL), limit)
+    run = partial(_run, (name, scene.kind), made, limit)
+    whole = run("nothing", ALL)
     rows = [whole]
     for device in left_out:
         if device not in whole.acted:
             rows.append(Ablated(**{**vars(whole), "without": device, "acted": ""}))
             continue
-        others = ", ".join(other for other in devices() if other != device)
-        rows.append(_run(name, scene.kind, made, _LeftOut(device, others), limit))
-    return [*rows, _run(name, scene.kind, made, _LeftOut("any", NONE), limit)]
+        rows.append(run(device, ", ".join(other for other in devices() if other != device)))
+    return [*rows, run("any", NONE)]
 
 
-def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) -> Ablated:
-    folder = model.parent / left_out.what
+def _run(scene: tuple[str, str], model: Path, limit: float, without: str, others: str) -> Ablated:
+    """A scene, by its name and kind, without a device; `others` are those that it leaves on."""
+    folder = model.parent / without
     folder.mkdir(exist_ok=True)
     for file in model.parent.iterdir():
         if file.is_file() and file != model and file.suffix not in (".log", ".xplt", ".txt"):
@@ -93,11 +74,11 @@ def _run(name: str, kind: str, model: Path, left_out: _LeftOut, limit: float) ->
     changed = feb.read(model)
     for contact in changed.contacts:
         if contact.get("type") in (InterfaceType.MIXTURE.value, InterfaceType.TIED.value):
-            etree.SubElement(contact, "solver_devices").text = left_out.others
+            etree.SubElement(contact, "solver_devices").text = others
     path = changed.write(folder)
     command = engine.limited(engine.Febio4().command(path, plugin=True), limit)
     done = engine.execute(command, folder, check=False)
     report = done.report
     log = path.with_suffix(".log").read_text(errors="replace")
-    counts = (report.iterations, report.retries, report.reformations, table.entries(log), done.cpu)
-    return Ablated(name, kind, left_out.what, report.normal, *counts, "; ".join(ACTED.findall(log)))
+    counts = (report.iterations, report.retries, report.reformations, table.entries(log))
+    return Ablated(*scene, without, report.normal, *counts, done.cpu, "; ".join(ACTED.findall(log)))

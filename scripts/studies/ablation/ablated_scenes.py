@@ -1,17 +1,16 @@
 """The scenes that devices are left out of: joints, hard cases on the coarse mesh, synthetic and reported scenes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from harness.models.document import Model
 from studies.ablation import tied_scenes
 from studies.hard_cases.catalogue import CASES
 from studies.hard_cases.scene import Fineness, Interface
 from studies.price import joints
-from studies.synthetic_scenes import all_scenes, comparison
+from studies.synthetic_scenes import collections_of_scenes, comparison
 from studies.synthetic_scenes.comparison import Written
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 
@@ -20,26 +19,16 @@ JOINT, HARD_CASE, SYNTHETIC, REPORT, TIE = "joint", "hard case", "synthetic scen
 
 @dataclass(frozen=True)
 class AblatedScene:
-    """A scene with the plugin's contact.
-
-    Attributes
-    ----------
-    kind : str
-        `JOINT`, `HARD_CASE`, `SYNTHETIC`, `REPORT` or `TIE`.
-    write : callable
-        Writes the model into a folder, and returns its path.
-    """
+    """A scene with the plugin's contact."""
 
     kind: str
+    """`JOINT`, `HARD_CASE`, `SYNTHETIC`, `REPORT` or `TIE`."""
     write: Callable[[Path], Path]
+    """Writes the model into a folder, and returns its path."""
 
 
-def _write_joint(scene: joints.Scene, folder: Path) -> Path:
-    return scene.model().write(folder)
-
-
-def _write_hard_case(name: str, folder: Path) -> Path:
-    return CASES[name].scene.model(Fineness.COARSE, Interface.MIXTURE).write(folder)
+def _write(make: Callable[[], Model], folder: Path) -> Path:
+    return make().write(folder)
 
 
 def _write_converted(name: str, scene: Written, folder: Path) -> Path:
@@ -53,10 +42,14 @@ def _converted(kind: str, scenes: Mapping[str, Written]) -> Mapping[str, Ablated
 
 
 SCENES: Mapping[str, AblatedScene] = {
-    **{f"{JOINT}: {name}": AblatedScene(JOINT, partial(_write_joint, scene)) for name, scene in joints.SCENES.items()},
-    **{f"{HARD_CASE}: {name}": AblatedScene(HARD_CASE, partial(_write_hard_case, name)) for name in CASES},
-    **_converted(SYNTHETIC, all_scenes.SCENES),
+    **{f"{JOINT}: {name}": AblatedScene(JOINT, partial(_write, scene.model)) for name, scene in joints.SCENES.items()},
+    **{
+        f"{HARD_CASE}: {name}": AblatedScene(
+            HARD_CASE, partial(_write, partial(case.scene.model, Fineness.COARSE, Interface.MIXTURE))
+        )
+        for name, case in CASES.items()
+    },
+    **_converted(SYNTHETIC, collections_of_scenes.SCENES),
     **_converted(REPORT, REPORTED),
     **{f"{TIE}: {name}": AblatedScene(TIE, write) for name, write in tied_scenes.WRITERS.items()},
 }
-"""By name."""

@@ -1,7 +1,5 @@
 """The page of devices that are left out one at a time: docs/reference/ablation.md, from docs/data/ablation.csv."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -107,14 +105,11 @@ def _lines(found: Sequence[Pair]) -> Iterator[tuple[str, ...]]:
 
 def _line(kind: str, device: str, found: Sequence[Pair]) -> tuple[str, ...]:
     complete = [pair for pair in found if pair.is_complete]
-    medians = (_median(complete, figure) for figure in ("iterations", "matrices", "entries", "time"))
+    figures = ("iterations", "matrices", "entries", "time")
+    medians = (f"{median(pair.ratio(each) for pair in complete):.2f}" if complete else "" for each in figures)
     counts = (sum(pair.is_better for pair in found), sum(pair.is_worse for pair in found))
     name = "all of them" if device == "any" else f"`{device}`"
     return f"{kind}s", name, str(len(found)), *medians, *map(str, counts)
-
-
-def _median(found: Sequence[Pair], figure: str) -> str:
-    return f"{median(pair.ratio(figure) for pair in found):.2f}" if found else ""
 
 
 def _better(found: Sequence[Pair]) -> Iterator[tuple[str, ...]]:

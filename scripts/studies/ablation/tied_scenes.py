@@ -1,16 +1,14 @@
 """Ties for the ablation: blocks that stay joined, and layers whose bonds break."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import partial
 from itertools import product
 from pathlib import Path
 
-from studies.models.small import fixed, moved
+from studies.models.small import Scheme, fixed, moved
 from studies.synthetic_scenes.reported import words
 from studies.synthetic_scenes.reported.shapes import box, mapped
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import Material
 
 LOADS = {
@@ -23,24 +21,16 @@ LOADS = {
 
 @dataclass(frozen=True)
 class Tied:
-    """A layer on a block, joined across meshes that do not match.
-
-    Attributes
-    ----------
-    load : str
-        One of `LOADS`.
-    material : (str, str)
-        Of both bodies.
-    tie : str
-        Parameters of `tied-mixture`.
-    cells : int
-        Elements along the layer; the block has two fewer.
-    """
+    """A layer on a block, joined across meshes that do not match."""
 
     load: str
+    """One of `LOADS`."""
     material: Material
+    """Of both bodies."""
     tie: str
+    """Parameters of `tied-mixture`."""
     cells: int = 8
+    """Elements along the layer; the block has two fewer."""
 
     def sketch(self) -> Sketch:
         """The model. One end of the layer is held if the load lifts the other."""

@@ -1,7 +1,5 @@
 """The command `agreement`: by how much a converted model's answer differs, and which answer is nearer to a fine one."""
 
-from __future__ import annotations
-
 from functools import partial
 from pathlib import Path
 from typing import Annotated

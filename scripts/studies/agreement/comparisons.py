@@ -1,14 +1,11 @@
 """Scenes on nested meshes with FEBio's interface and converted, against the mean of both on the finest mesh."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from harness.conversion import convert
 from harness.errors import EngineFailedError
@@ -28,37 +25,25 @@ MESHES: Mapping[str, tuple[int, ...]] = dict.fromkeys(_SCENES, (1, 2, 3))
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity of one run, beside the reference.
-
-    Attributes
-    ----------
-    scene : str
-    fineness : int
-    interface : str
-        `FEBIO` or `OURS`.
-    quantity : str
-        A number with its unit, or a field.
-    value : float
-        Of a number; of a field its largest value in the reference.
-    error : float
-        Difference from the reference over it; of a field the largest one at any node of the coarsest mesh, over the
-        field's largest value.
-    mean, rms : float
-        Of a field: the mean of the differences, and the root of their mean square (L2), over the same.
-    apart : float
-        Half of the difference of both interfaces on the finest mesh, in the measure of `error`: what the reference is
-        not certain of.
-    """
+    """One quantity of one run, beside the reference."""
 
     scene: str
     fineness: int
     interface: str
+    """`FEBIO` or `OURS`."""
     quantity: str
+    """A number with its unit, or a field."""
     value: float
+    """Of a number; of a field its largest value in the reference."""
     error: float
+    """Difference from the reference over it; of a field the largest one at any node of the coarsest mesh, over the
+    field's largest value."""
     mean: float
     rms: float
+    """Of a field: the mean of the differences, and the root of their mean square (L2), over the same."""
     apart: float
+    """Half of the difference of both interfaces on the finest mesh, in the measure of `error`: what the reference is
+    not certain of."""
 
 
 def compare(name: str, folder: Path, limit: float, announce: Callable[[str], None]) -> list[Row]:
@@ -78,7 +63,10 @@ def compare(name: str, folder: Path, limit: float, announce: Callable[[str], Non
             announce(f"{name}, mesh {f}, {interface}")
             found[f, interface] = _run(model, folder / name / str(f), interface, limit, moved=moved)
     places = {f: quantities.at_nodes_of(models[meshes[0]], model) for f, model in models.items()}
-    common = {key: _picked(state, places[key[0]]) for key, state in found.items()}
+    common = {
+        (f, who): State(state.scalars, {name: field[places[f]] for name, field in state.fields.items()})
+        for (f, who), state in found.items()
+    }
     theirs, ours = (common[meshes[-1], interface] for interface in (FEBIO, OURS))
     return [row for (f, who), state in common.items() for row in _rows(name, f, who, state, (theirs, ours))]
 
@@ -104,10 +92,6 @@ def _run(model: Model, folder: Path, interface: str, limit: float, *, moved: boo
     primary = model.mesh.pairs[model.contacts[0].pair][0]
     facets = logdata.read_history(path.parent / model.facet_file(primary), quantities.FACETS)
     return quantities.state(model, nodes, facets, moved=moved)
-
-
-def _picked(state: State, places: NDArray[np.int64]) -> State:
-    return State(state.scalars, {name: field[places] for name, field in state.fields.items()})
 
 
 def _rows(name: str, fineness: int, who: str, state: State, finest: Sequence[State]) -> list[Row]:

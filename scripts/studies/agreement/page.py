@@ -1,7 +1,5 @@
 """The page of how far a converted model's answer is from the old one: docs/evidence/agreement.md, from its data."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -127,20 +125,10 @@ def tables(rows: Sequence[Row]) -> str:
 
 
 def _table(scene: str, rows: Sequence[Row]) -> str:
-    lines = [
-        f"## `{scene}`",
-        "",
-        "| quantity | mesh | FEBio's | converted | error: FEBio's | converted | mean | | L2 | | apart |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
-    ]
-    for fineness in dict.fromkeys(row.fineness for row in rows):
-        lines += [_line(pair) for pair in pairs(rows, fineness)]
-    return "\n".join([*lines[:4], *sorted(lines[4:], key=_order)])
-
-
-def _order(line: str) -> tuple[bool, str]:
-    """Numbers first, then fields."""
-    return ("[" not in line.split("|")[1], line)
+    head = "| quantity | mesh | FEBio's | converted | error: FEBio's | converted | mean | | L2 | | apart |"
+    lines = [_line(pair) for fineness in dict.fromkeys(row.fineness for row in rows) for pair in pairs(rows, fineness)]
+    numbers_first = sorted(lines, key=lambda line: ("[" not in line.split("|")[1], line))
+    return "\n".join([f"## `{scene}`", "", head, "|---" * 11 + "|", *numbers_first])
 
 
 def _line(pair: Pair) -> str:

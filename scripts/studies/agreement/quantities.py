@@ -1,7 +1,5 @@
 """What a run says as a whole: force or approach, area of contact, content; and its fields at some nodes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -30,18 +28,12 @@ FORCE, APPROACH, AREA, FACETS_AREA, VOLUME, SOLUTE = (
 
 @dataclass(frozen=True)
 class State:
-    """The end of a run.
-
-    Attributes
-    ----------
-    scalars : mapping of str to float
-        By what they are, with their unit.
-    fields : mapping of str to ndarray, shape (n_nodes, n_components)
-        By their names, at all nodes.
-    """
+    """The end of a run."""
 
     scalars: Mapping[str, float]
+    """By what they are, with their unit."""
     fields: Mapping[str, Array]
+    """By their names, at all nodes. Shape (n_nodes, n_components)."""
 
 
 def state(model: Model, nodes: History, facets: History, *, moved: bool) -> State:

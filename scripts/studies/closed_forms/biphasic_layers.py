@@ -29,8 +29,6 @@ contact, H being the aggregate modulus. And the free surface is impermeable: whe
 reaches the last h of the contact leaves through it, a part of some h/a that grows with chi t.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -71,19 +69,12 @@ class Shape(Enum):
 
 @dataclass(frozen=True)
 class Contact:
-    """Layers in contact.
-
-    Attributes
-    ----------
-    layers : sequence of Layer
-        Of both bodies; one alone against a rigid impermeable body.
-    radius : float
-        R, mm, with 1/R the sum of both curvatures.
-    shape : Shape
-    """
+    """Layers in contact."""
 
     layers: Sequence[Layer]
+    """Of both bodies; one alone against a rigid impermeable body."""
     radius: float
+    """R, mm, with 1/R the sum of both curvatures."""
     shape: Shape = Shape.LINE
 
     @property

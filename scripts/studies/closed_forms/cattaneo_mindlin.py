@@ -8,8 +8,6 @@ hence c = a sqrt(1 - Q/(mu P)). Shear does not change the pressure where both bo
 Dundurs' second parameter is zero.
 """
 
-from __future__ import annotations
-
 from math import sqrt
 
 import numpy as np

@@ -11,8 +11,6 @@ P = phi_w d/L: Darcy's law in q, and convection with diffusion (`two_layer_conve
 j are the same in each, drops of q add up, and c~ is passed on from one to the next. What is left is one equation for w.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -5,9 +5,8 @@ F = pi a p0/2 per length. Over a circle the same pressure carries F = (2/3) pi a
 pi p0 (2 a^2 - r^2)/(4 E* a), which has to be delta - r^2/(2R): p0 = 2 E* a/(pi R) and delta = a^2/R.
 """
 
-from __future__ import annotations
-
 from math import pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -47,3 +46,16 @@ def sphere_peak_pressure(force: float, radius: float, modulus: float) -> float:
 def sphere_approach(force: float, radius: float, modulus: float) -> float:
     """Approach delta = a^2/R, mm, of points far from the contact."""
     return sphere_radius(force, radius, modulus) ** 2 / radius
+
+
+class HalfEllipse(NamedTuple):
+    """p = peak sqrt(1 - x^2/half_width^2): half-width in the unit of places, peak in that of values."""
+
+    half_width: float
+    peak: float
+
+
+def half_ellipse_through(place: NDArray[np.float64], value: NDArray[np.float64]) -> HalfEllipse:
+    """The one around place 0 whose squares are nearest to those of the values; shapes (n,) and (n,)."""
+    slope, start = np.polyfit(place**2, value**2, 1)
+    return HalfEllipse(float(np.sqrt(-start / slope)), float(np.sqrt(start)))

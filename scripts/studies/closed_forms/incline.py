@@ -5,8 +5,6 @@ F, balance along and across the slope, F cos a = G sin a + mu N and N = G cos a 
 F/G = (tan a + mu)/(1 - mu tan a). Where mu tan a >= 1 no force pushes it up: friction grows faster than the force.
 """
 
-from __future__ import annotations
-
 from math import sqrt
 
 

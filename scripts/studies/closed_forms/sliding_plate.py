@@ -9,8 +9,6 @@ uniform start, so that under the plate p/P0 = 2 SUM (-1)^n/mu_n e^{-mu_n^2 tau}.
 mu_eq [P0 - (1 - phi) p].
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -1,7 +1,5 @@
 """The command `cost`: measures what accuracy costs, or answers from what was measured."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
@@ -64,13 +62,9 @@ def _sweep(chosen: list[Problem], folder: Path, jobs: int, options: Sequence[str
     """Make all runs, write what they give, and return whether no run is missing."""
     sweeps = dict.fromkeys((point.problem, point.interface, point.parameter) for point in points(chosen))
     wanted = {
-        f"{problem.value}-{interface.slug}-{parameter.name.lower()}": (
-            "cost-sweep",
-            problem.value,
-            interface.value,
-            parameter.value,
-        )
-        for problem, interface, parameter in sweeps
+        f"{problem.value}-{interface.slug}-{parameter.name.lower()}": ("cost-sweep", *(part.value for part in sweep))
+        for sweep in sweeps
+        for problem, interface, parameter in [sweep]
     }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs, options=options)
     found = [datum for path in paths for datum in files.read_json(path, Datum)]
@@ -98,12 +92,8 @@ def answer(data: list[Datum], error: float, problems: list[Problem]) -> str:
     lines = []
     for problem in problems:
         own = pareto.comparable(data, problem)
-        what = (
-            "difference from the finest run"
-            if problem is Problem.INDENTATION
-            else "difference from the conforming reference"
-        )
-        lines.append(f"Problem {problem.value}, {what} at most {error:g}:")
+        other = "finest run" if problem is Problem.INDENTATION else "conforming reference"
+        lines.append(f"Problem {problem.value}, difference from the {other} at most {error:g}:")
         for interface in INTERFACES:
             best = pareto.cheapest([d for d in own if d.interface == interface.value], error)
             lines.append(

@@ -1,7 +1,5 @@
 """The page of what accuracy costs: docs/evidence/cost.md, from docs/data/cost.csv."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple

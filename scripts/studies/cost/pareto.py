@@ -1,7 +1,5 @@
 """What the data of the sweep say: Pareto fronts, pictures, and which setting reaches a given error."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from pathlib import Path

@@ -1,11 +1,8 @@
 """Runs one point of the sweep: its error, and its cost in iterations, residuals and time."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from statistics import median
 
 import numpy as np
@@ -26,29 +23,7 @@ PAIRS = 3
 
 @dataclass(frozen=True)
 class Datum:
-    """What came of a point.
-
-    Attributes
-    ----------
-    problem, interface, parameter : str
-    value : float
-    ended : bool
-    contact_error : float
-        3.1, 3.2: largest difference of c from the conforming reference of the same mesh and steps, relative to c*; nan
-        for 3.3.
-    error : float
-        3.1, 3.2: largest error of c against the closed form, relative to c*. 3.3: largest relative difference
-        from the finest run, of the force and of the solute in both bodies at 1 and 100 s.
-    steps, iterations, residuals, retries : int
-    wall, cpu : float
-        Wall and processor time of one thread, s; medians of some runs, of 3.3 the wall time of one. On an idle machine
-        they agree.
-    cpu_low, cpu_high : float
-        Least and largest of the processor times of 3.3, s, of one run where that is not short; nan for 3.1 and 3.2.
-    ratio, ratio_low, ratio_high : float
-        Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in
-        turn; nan for 3.3.
-    """
+    """What came of a point."""
 
     problem: str
     interface: str
@@ -56,18 +31,27 @@ class Datum:
     value: float
     ended: bool
     contact_error: float
+    """3.1, 3.2: largest difference of c from the conforming reference of the same mesh and steps, relative to c*; nan
+    for 3.3."""
     error: float
+    """3.1, 3.2: largest error of c against the closed form, relative to c*. 3.3: largest relative difference from the
+    finest run, of the force and of the solute in both bodies at 1 and 100 s."""
     steps: int
     iterations: int
     residuals: int
     retries: int
     wall: float
     cpu: float
+    """Wall and processor time of one thread, s; medians of some runs, of 3.3 the wall time of one. On an idle machine
+    they agree."""
     cpu_low: float
     cpu_high: float
+    """Least and largest of the processor times of 3.3, s, of one run where that is not short; nan for 3.1 and 3.2."""
     ratio: float
     ratio_low: float
     ratio_high: float
+    """Median, least and largest of the ratios of this run's processor time and the conforming reference's, run in turn;
+    nan for 3.3."""
 
 
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
@@ -96,25 +80,10 @@ def _datum(point: Point, run: RunResult, times: Sequence[float], runner: Runner)
         contact_error = compare.largest_difference(run, reference, "c1")
         error = _error_closed(point, run)
         wall, cpu, ratios = _pairs(run.model, reference.model)
+    setting = (point.problem.value, point.interface.value, point.parameter.value, point.value)
     report = run.report
-    return Datum(
-        point.problem.value,
-        point.interface.value,
-        point.parameter.value,
-        point.value,
-        ended,
-        contact_error,
-        error,
-        report.steps,
-        report.iterations,
-        report.residuals,
-        report.retries,
-        wall,
-        cpu,
-        cpu_low,
-        cpu_high,
-        *ratios,
-    )
+    counts = (report.steps, report.iterations, report.residuals, report.retries)
+    return Datum(*setting, ended, contact_error, error, *counts, wall, cpu, cpu_low, cpu_high, *ratios)
 
 
 def _error_closed(point: Point, run: RunResult) -> float:
@@ -135,10 +104,9 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
 
 def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, float, float]]:
     """Median wall and processor time (s) of a model; median, least, largest ratio of the latter to its reference's."""
-    runs = {name: partial(timing.execute, each) for name, each in (("own", model), ("conforming", reference))}
-    own, other = ([run for run, _ in found] for found in timing.interleave(runs, PAIRS).values())
-    ratios = [a.cpu / b.cpu for a, b in zip(own, other, strict=True)]
-    return median(r.wall for r in own), median(r.cpu for r in own), timing.spread(ratios)
+    pairs = timing.beside(model, reference, PAIRS)
+    walls, times = (run.wall for run, _ in pairs), (run.cpu for run, _ in pairs)
+    return median(walls), median(times), timing.spread([run.cpu / other.cpu for run, other in pairs])
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:

@@ -1,7 +1,5 @@
 """The points of the sweep: a problem, an interface, and one parameter away from the defaults."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -14,7 +12,7 @@ from harness.models.indentation import Indentation
 from harness.models.indentation_mesh import Grid
 from harness.models.interface import ContactSettings, InterfaceType, automatic, default_settings
 from harness.models.parts import Control, Curve, Param
-from studies.models.indentation_variants import LEVELS
+from studies.models.kept_models import LEVELS
 
 INTERFACES = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 HALFWAY = Grid(across=13, down=9, around=4)
@@ -82,15 +80,7 @@ VALUES_33: dict[Parameter, tuple[float, ...]] = {
 
 @dataclass(frozen=True)
 class Point:
-    """One run of the sweep.
-
-    Attributes
-    ----------
-    problem : Problem
-    interface : InterfaceType
-    parameter : Parameter
-    value : float
-    """
+    """One run of the sweep."""
 
     problem: Problem
     interface: InterfaceType
@@ -116,11 +106,8 @@ class Point:
         if self.parameter is Parameter.PREDICTOR:
             return replace(base, extra=(Param("predictor", bool(self.value)),))
         if self.parameter in (Parameter.INTEGRATION, Parameter.LAGMULT):
-            return replace(
-                base,
-                laugon="LAGMULT" if self.parameter is Parameter.LAGMULT else None,
-                integration="segments" if self.value else "gauss",
-            )
+            laugon = "LAGMULT" if self.parameter is Parameter.LAGMULT else None
+            return replace(base, laugon=laugon, integration="segments" if self.value else "gauss")
         return base
 
     def model(self, interface: InterfaceType | None = None) -> Model:

@@ -1,7 +1,5 @@
 """How far two engines are apart, node by node, where both solve the same steps to rounding."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -23,22 +21,14 @@ SMOOTH, MOVING = 1e-7, 1e-5
 
 @dataclass(frozen=True)
 class Comparison:
-    """A model that both engines run.
-
-    Attributes
-    ----------
-    name : str
-        For `--only`.
-    model : callable
-        Makes the model.
-    floor : float
-        Squared residual at which rounding is all that is left, in the units of the model's equations.
-    tolerance : float
-    """
+    """A model that both engines run."""
 
     name: str
+    """For `--only`."""
     model: Callable[[], Model]
+    """Makes the model."""
     floor: float
+    """Squared residual at which rounding is all that is left, in the units of the model's equations."""
     tolerance: float = SMOOTH
 
 

@@ -1,7 +1,5 @@
 """The command `evidence`."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import typer
@@ -10,7 +8,7 @@ from harness.choice import chosen
 from harness.errors import HarnessError
 from harness.paths import RESULTS
 from studies import stamps, workflow
-from studies.evidence.steps import STEPS, Step
+from studies.evidence.steps import STEPS
 from studies.options import console
 
 
@@ -28,7 +26,8 @@ def evidence(
     step if the present commit of the plugin made its files in docs/data with this limit. It therefore continues after
     an interruption. Nothing else should run at the same time, because some steps measure times.
     """
-    steps = _chosen(only)
+    known = {step.name: step for step in STEPS}
+    steps = [known[name] for name in chosen(only, known)]
     commit = committed()
     folder = RESULTS / "evidence" / commit
     wanted = [step for step in steps if only or not step.is_done(commit)]
@@ -38,11 +37,6 @@ def evidence(
         console.print(f"{step.name}: {'FAILED' if step in failed else 'done'} at commit {commit}", markup=False)
     if failed:
         raise HarnessError(f"not done: {', '.join(step.name for step in failed)}; their logs are in {folder}")
-
-
-def _chosen(only: list[str] | None) -> list[Step]:
-    known = {step.name: step for step in STEPS}
-    return [known[name] for name in chosen(only, known)]
 
 
 def committed() -> str:

@@ -1,7 +1,5 @@
 """The steps that measure everything in docs/data, in the order in which they are done."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,27 +15,18 @@ Command = tuple[str, ...]
 
 @dataclass(frozen=True)
 class Step:
-    """A part of the evidence that is measured by itself.
-
-    Attributes
-    ----------
-    name : str
-    files : tuple of str
-        Below docs/data, that it writes.
-    commands : tuple of Command
-        Done one after the other; ``{folder}`` stands for a folder for what they leave.
-    limit : float
-        s of processor time for a run, which the stamps of its files say; 0 without a limit.
-    alone : bool
-        Whether its pages say themselves what its files were made with, which may be another commit than that of the
-        files that are measured in one go.
-    """
+    """A part of the evidence that is measured by itself."""
 
     name: str
     files: tuple[str, ...]
+    """Below docs/data, that it writes."""
     commands: tuple[Command, ...]
+    """Done one after the other; ``{folder}`` stands for a folder for what they leave."""
     limit: float = LIMIT
+    """s of processor time for a run, which the stamps of its files say; 0 without a limit."""
     alone: bool = False
+    """Whether its pages say themselves what its files were made with, which may be another commit than that of the
+    files that are measured in one go."""
 
     def is_done(self, commit: str) -> bool:
         """Whether its files are there and were made with this commit of the plugin and its limit."""

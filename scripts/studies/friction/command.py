@@ -1,7 +1,5 @@
 """The commands of friction: its hard cases, published curves, and elastic slip against time."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import typer
@@ -69,7 +67,6 @@ def friction_benchmarks(
     for measure in curves.torque_measures(rows, "fine mesh"):
         console.print(f"{measure.name}: {measure.value:.2%} from what published ones span", markup=False)
     rows += curves.published_rows()
-    (folder / "data").mkdir(parents=True, exist_ok=True)
     files.write_csv(rows, Row, folder / "data" / curves_table.SOURCE, stamps.stamp(limit))
     picture = curves_picture.draw(rows, folder / curves_picture.PICTURE)
     console.print(f"Written: {folder / 'data' / curves_table.SOURCE}, {picture}")
@@ -83,7 +80,6 @@ def friction_cost(
     runner = Runner(RESULTS / "friction-cost" / "runs", processor_limit=limit)
     data = stick_points.measure(stick_points.points(), runner)
     console.print(stick_points.least_time(data), markup=False)
-    (folder / "data").mkdir(parents=True, exist_ok=True)
     files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, stamps.stamp(limit))
     picture = stick_picture.draw(data, folder / stick_picture.PICTURE)
     console.print(f"Written: {folder / 'data' / stick_points.SOURCE}, {picture}")

@@ -1,7 +1,5 @@
 """What is compared of each run: its curve over the angle or the way, beside the published ones."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -34,24 +32,16 @@ COEFFICIENTS = {SPHERES: 0.5, SMOOTH_SPHERES: 0.0}
 
 @dataclass(frozen=True)
 class Row:
-    """A place on a curve.
-
-    Attributes
-    ----------
-    problem : str
-        "torque" or "force" of the hemisphere, `SPHERES` or `SMOOTH_SPHERES`.
-    series : str
-        A mesh, or who published it.
-    place : float
-        Degrees or mm.
-    value : float
-        N mm or N.
-    """
+    """A place on a curve."""
 
     problem: str
+    """"torque" or "force" of the hemisphere, `SPHERES` or `SMOOTH_SPHERES`."""
     series: str
+    """A mesh, or who published it."""
     place: float
+    """Degrees or mm."""
     value: float
+    """N mm or N."""
 
 
 def hemisphere_rows(series: str, runner: Runner) -> list[Row]:

@@ -1,7 +1,5 @@
 """Runs and published curves: torque over angle, forces over the way."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

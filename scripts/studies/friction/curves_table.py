@@ -1,7 +1,5 @@
 """The page of friction beside published curves: docs/evidence/friction-curves.md, with runs and curves as tables."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 

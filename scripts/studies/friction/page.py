@@ -1,7 +1,5 @@
 """The page of friction: docs/evidence/friction.md, from hard cases, elastic slip, and test scenes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 

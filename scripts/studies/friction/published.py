@@ -6,8 +6,6 @@ open: the hemisphere's inner radius of 2/3 (its force before it turns, 12.3 N, i
 force of the spheres is that of the modelled octant.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 Curves = Mapping[str, tuple[float, ...]]

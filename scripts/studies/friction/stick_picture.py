@@ -1,7 +1,5 @@
 """Error against time of friction: a panel for each problem."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

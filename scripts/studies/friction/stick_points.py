@@ -1,12 +1,9 @@
 """Elastic slip and time by tangential penalty and with AUGLAG."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import partial
 
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.parts import Param
@@ -112,22 +109,7 @@ def points() -> list[Point]:
 
 @dataclass(frozen=True)
 class Datum:
-    """What came of a setting.
-
-    Attributes
-    ----------
-    problem, interface, parameter : str
-    value : float
-    ended : bool
-    error : float
-        Stick: largest difference of a displacement from the conforming reference, over the shear. Partial slip: error
-        of the half-width of the zone that sticks, relative to the closed form's, on a mesh whose own error is part of
-        it.
-    iterations, retries, augmentations : int
-    time, time_low, time_high : float
-        Processor time; stick: over that of the conforming reference, run in turn, where the run ended; else s. Median,
-        least and largest; of one run where that is not short.
-    """
+    """What came of a setting."""
 
     problem: str
     interface: str
@@ -135,12 +117,16 @@ class Datum:
     value: float
     ended: bool
     error: float
+    """Stick: largest difference of a displacement from the conforming reference, over the shear. Partial slip: error of
+    the half-width of the zone that sticks, relative to the closed form's, on a mesh whose own error is part of it."""
     iterations: int
     retries: int
     augmentations: int
     time: float
     time_low: float
     time_high: float
+    """Processor time; stick: over that of the conforming reference, run in turn, where the run ended; else s. Median,
+    least and largest; of one run where that is not short."""
 
 
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
@@ -163,27 +149,17 @@ def _datum(point: Point, run: RunResult, times: Sequence[float], runner: Runner)
         error, times = _error_and_ratios(run, runner)
     else:
         error = slip_zones.zones(run).measures(1.0)[0].value if report.normal else math.nan
-    return Datum(
-        point.problem.value,
-        point.interface.value,
-        point.parameter.value,
-        point.value,
-        report.normal,
-        error,
-        report.iterations,
-        report.retries,
-        report.augmentations,
-        *timing.spread(times),
-    )
+    setting = (point.problem.value, point.interface.value, point.parameter.value, point.value)
+    counts = (report.iterations, report.retries, report.augmentations)
+    return Datum(*setting, report.normal, error, *counts, *timing.spread(times))
 
 
 def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float]]:
     """The error of a sheared block, and its times over those of the conforming reference, run in turn."""
     joined = ShearedBlocks(Kind.BIPHASIC, InterfaceType.CONFORMING, name="friction-cost-conforming")
     reference = runner(joined.model())
-    runs = {name: partial(timing.execute, each.model) for name, each in (("own", run), ("conforming", reference))}
-    own, other = ([done.cpu for done, _ in found] for found in timing.interleave(runs, PAIRS).values())
-    return displaced(run, reference), [a / b for a, b in zip(own, other, strict=True)]
+    pairs = timing.beside(run.model, reference.model, PAIRS)
+    return displaced(run, reference), [own.cpu / other.cpu for own, other in pairs]
 
 
 LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)

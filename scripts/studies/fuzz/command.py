@@ -1,11 +1,7 @@
 """The command `fuzz`."""
 
-from __future__ import annotations
-
-import json
 import time
 from collections import Counter
-from dataclasses import asdict
 from pathlib import Path
 from typing import Annotated
 
@@ -13,7 +9,7 @@ import typer
 
 from harness.paths import RESULTS
 from harness.run.runner import Runner
-from studies import workflow
+from studies import files, workflow
 from studies.fuzz.draws import Kind
 from studies.fuzz.seed_trial import Trial, attempt
 from studies.options import Folder, Jobs, console
@@ -39,19 +35,14 @@ def fuzz(
     seed N.
     """
     deadline = time.time() + 60.0 * minutes
-    wanted = {}
-    for first in range(seed, seed + count, CHUNK):
-        for each in kind or Kind:
-            size = min(CHUNK, seed + count - first)
-            wanted[f"{each.value}-{first}-{size}"] = (
-                "fuzz-seeds",
-                each.value,
-                str(first),
-                str(size),
-                f"{deadline:.0f}",
-            )
+    chunks = [(first, min(CHUNK, seed + count - first)) for first in range(seed, seed + count, CHUNK)]
+    wanted = {
+        f"{each.value}-{first}-{size}": ("fuzz-seeds", each.value, str(first), str(size), f"{deadline:.0f}")
+        for first, size in chunks
+        for each in kind or Kind
+    }
     paths = workflow.run(wanted, folder.resolve(), cores=jobs)
-    trials = [Trial(**entry) for path in paths for entry in json.loads(path.read_text())]
+    trials = [trial for path in paths for trial in files.read_json(path, Trial)]
     for each in kind or Kind:
         own = [trial for trial in trials if trial.kind == each.value]
         counts = Counter("fault" if trial.faulty else trial.result for trial in own)
@@ -77,4 +68,4 @@ def fuzz_seeds(
         if time.time() > deadline:
             raise typer.Exit(1)
         trials.append(attempt(kind, seed, runner))
-    out.write_text(json.dumps([asdict(trial) for trial in trials], indent=1))
+    files.write_json(trials, out)

@@ -1,7 +1,5 @@
 """What a seed stands for: a scene or a set of parameters, drawn within bounds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from enum import Enum

@@ -1,7 +1,5 @@
 """Runs what a seed stands for and says whether anything is wrong with it."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import dataclass
@@ -19,19 +17,12 @@ _TERMINATION = "E R R O R   T E R M I N A T I O N"
 
 @dataclass(frozen=True)
 class Trial:
-    """A seed and what came of it.
-
-    Attributes
-    ----------
-    kind : str
-    seed : int
-    result : str
-        One of the four above; or what is wrong, after "FAULT: ".
-    """
+    """A seed and what came of it."""
 
     kind: str
     seed: int
     result: str
+    """One of the four above; or what is wrong, after "FAULT: "."""
 
     @property
     def faulty(self) -> bool:

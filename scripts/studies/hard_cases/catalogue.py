@@ -1,7 +1,5 @@
 """The hard cases: each a scene with its physical check, in one table."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 
@@ -143,6 +141,17 @@ CORNER = Pushed(
     mirrored(1, 1e-6),
     plane=False,
 )
+EDGE = Pushed(
+    lambda f: slab((-1.0, 0.0, -0.8), (1.0, 0.25, 0.0), (8 * f, 1, 4 * f)), wedge, along(DOWN), PUSH, mirrored(0, 1e-6)
+)
+TURNED = Pushed(
+    lambda f: slab((-0.8, -0.8, -0.6), (0.8, 0.8, 0.0), (4 * f, 4 * f, 2 * f)),
+    spinner,
+    spinning(0.03, 10000.0, 40000.0, 90.0),
+    tuple(float(t) for t in range(1000, 40001, 1000)),
+    lambda run: steady_slide(run, 10000.0, 0.02, 0.1),
+    plane=False,
+)
 CURVED = Pushed(round_base, round_top, along(DOWN), PUSH, mirrored(1, 1e-6), half=True, base_is_primary=True)
 BOTH_PRESSING = Seesaw(((0.0, -0.1), (1000.0, 1.0)), ((0.0, -0.1), (1000.0, 1.0)))
 TWO_PASS = (Param("two_pass", True),)
@@ -168,18 +177,7 @@ CASES: dict[str, Case] = {
             times=(*(50.0 * k for k in range(1, 41)), *TO_THE_END),
         ),
     ),
-    "edge-on-face": Case(
-        "edge on face",
-        Pushed(
-            lambda f: slab((-1.0, 0.0, -0.8), (1.0, 0.25, 0.0), (8 * f, 1, 4 * f)),
-            wedge,
-            along(DOWN),
-            PUSH,
-            mirrored(0, 1e-6),
-        ),
-        pointwise=SHARP,
-        swap=SHARP,
-    ),
+    "edge-on-face": Case("edge on face", EDGE, pointwise=SHARP, swap=SHARP),
     "corner-on-face": Case("corner on face", CORNER, pointwise=SHARP, swap=SHARP),
     "corner-two-pass": Case("corner on face, two_pass 1", replace(CORNER, extra=TWO_PASS), pointwise=SHARP, swap=SHARP),
     "slide-off-edge": Case(
@@ -202,17 +200,7 @@ CASES: dict[str, Case] = {
             lambda run: steady_slide(run, 1000.0, 0.1, 0.1),
         ),
     ),
-    "rotation-90": Case(
-        "rotation of a body by 90 degrees in contact",
-        Pushed(
-            lambda f: slab((-0.8, -0.8, -0.6), (0.8, 0.8, 0.0), (4 * f, 4 * f, 2 * f)),
-            spinner,
-            spinning(0.03, 10000.0, 40000.0, 90.0),
-            tuple(float(t) for t in range(1000, 40001, 1000)),
-            lambda run: steady_slide(run, 10000.0, 0.02, 0.1),
-            plane=False,
-        ),
-    ),
+    "rotation-90": Case("rotation of a body by 90 degrees in contact", TURNED),
     "curved-1-to-8": Case("curved on curved, facet ratio 1:8", CURVED),
     "curved-two-pass": Case("curved on curved, facet ratio 1:8, two_pass 1", replace(CURVED, extra=TWO_PASS)),
     "warped-quads": Case("warped quadrilaterals", Press(warp=0.1, gap=1e-4, tolerance=1e-2)),

@@ -1,7 +1,5 @@
 """The commands that run the hard cases: all of them, and a single one."""
 
-from __future__ import annotations
-
 from itertools import product
 from pathlib import Path
 from typing import Annotated
@@ -38,13 +36,8 @@ def hard_cases(
     """
     wanted = {
         f"{case}-{made.value}-{each.value}": (
-            "hard-case",
-            case,
-            made.value,
-            "--interface",
-            each.value,
-            "--limit",
-            str(limit),
+            *("hard-case", case, made.value),
+            *("--interface", each.value, "--limit", str(limit)),
         )
         for made, case, each in product(mesh or Fineness, chosen(only, CASES), interface or Interface)
     }

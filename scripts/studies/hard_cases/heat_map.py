@@ -1,7 +1,5 @@
 """The hard cases as a picture: scenes in groups by interface, each cell saying how its run ended; failures first."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -106,15 +104,13 @@ def ordered(rows: Mapping[tuple[str, str], Row]) -> dict[str, dict[str, Row]]:
     """Rows by group and label, those with failures first, and groups in the order of their first rows."""
     several = len({mesh for _, mesh in rows}) > 1
     found: dict[str, dict[str, Row]] = {}
-    for (case, mesh), row in sorted(rows.items(), key=lambda item: -_severity(item[1])):
+    for (case, mesh), row in sorted(
+        rows.items(), key=lambda item: -sum(SEVERITY[item[1][name].end] for name in COLUMNS if name in item[1])
+    ):
         group = next((title for title, cases in GROUPS.items() if case in cases), "others")
         label = f"{CASES[case].about} ({mesh})" if several else CASES[case].about
         found.setdefault(group, {})[label] = row
     return found
-
-
-def _severity(row: Row) -> int:
-    return sum(SEVERITY[row[name].end] for name in COLUMNS if name in row)
 
 
 def _line(axes: Axes, place: int, label: str, row: Row) -> None:

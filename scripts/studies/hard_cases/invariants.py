@@ -1,7 +1,5 @@
 """What every hard case has to satisfy, whatever it shows: balances, bounds, contact conditions, invariance."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -44,10 +42,8 @@ def cancellation(run: RunResult) -> list[Measure]:
         total, size = np.abs(first + second).max(axis=0), np.abs(first).max(axis=0)
         force = max(force, _ratio(total[:3].max(), size[:3].max()))
         flow = max(flow, *(_ratio(t, s) for t, s in zip(total[3:], size[3:], strict=True)))
-    return [
-        Measure("forces of both sides, sum", force, ROUNDING),
-        Measure("flows of both sides, sum", flow, ROUNDING),
-    ]
+    sums = {"forces": force, "flows": flow}
+    return [Measure(f"{what} of both sides, sum", found, ROUNDING) for what, found in sums.items()]
 
 
 def _ratio(part: float, whole: float) -> float:
@@ -108,7 +104,9 @@ def _appeared(model: Model, history: History) -> float:
     loses there the other one gains. In steps in which some of them are at ambient, all are left out, as the
     contact also exchanges with the surroundings at its edge.
     """
-    fed, contact = _nodes_fed(model), _nodes_in(model, (model.mesh.surfaces[name] for name in model.contact_surfaces))
+    held = prescribed(model.conditions, "prescribed concentration")
+    fed = _nodes_in(model, (model.mesh.node_sets[name] for name in held))
+    contact = _nodes_in(model, (model.mesh.surfaces[name] for name in model.contact_surfaces))
     states, parts = solute_balance.states(history), model.mesh.parts
     appeared, most = np.zeros(model.n_solutes), np.zeros(model.n_solutes)
     for before, after, step in zip(states, states[1:], np.diff(history.times), strict=False):
@@ -118,11 +116,6 @@ def _appeared(model: Model, history: History) -> float:
         appeared += entered[:, counted].sum(axis=1)
         most = np.maximum(most, np.sum([solute_balance.contents(model, part, after) for part in parts], axis=0))
     return max(_ratio(abs(amount), whole) for amount, whole in zip(appeared, most, strict=True))
-
-
-def _nodes_fed(model: Model) -> Mask:
-    names = prescribed(model.conditions, "prescribed concentration")
-    return _nodes_in(model, (model.mesh.node_sets[name] for name in names))
 
 
 def _nodes_in(model: Model, sets: Iterable[Ids]) -> Mask:
@@ -169,10 +162,8 @@ def off_ambient(run: RunResult) -> list[Measure]:
         loaded[-len(load) :] |= (load != 0.0) @ has_node > 0.0
     of_contact = _nodes_in(model, (model.mesh.surfaces[surface] for surface in primary))
     found = 0.0
-    for kind, names in (
-        ("prescribed fluid pressure", ["p"]),
-        ("prescribed concentration", [f"c{number + 1}" for number in range(model.n_solutes)]),
-    ):
+    solutes = [f"c{number + 1}" for number in range(model.n_solutes)]
+    for kind, names in (("prescribed fluid pressure", ["p"]), ("prescribed concentration", solutes)):
         held = _nodes_in(model, (model.mesh.node_sets[name] for name in prescribed(model.conditions, kind)))
         free = ~loaded & of_contact & ~held & (history.times > 0.0)[:, None]
         for name in names:
@@ -199,18 +190,11 @@ def invariance(run: RunResult, rerun: Runner, tolerance: float) -> list[Measure]
     other = rerun(model).nodes
     back = variants.turned_back(other.values[:, place], run.model.node_columns)
     exchanged = rerun(variants.swapped(run.model))
+    gap, swap = variants.difference(run, back, other.times), _swap(run, exchanged)
+    note = "the log warns" if any("without any load" in text for text in exchanged.report.warnings) else ""
     return [
-        Measure(
-            "moved as a whole, nodes renumbered, relative difference",
-            variants.difference(run, back, other.times),
-            INVARIANT,
-        ),
-        Measure(
-            "sides swapped, relative difference of forces and concentrations",
-            _swap(run, exchanged),
-            tolerance,
-            note="the log warns" if any("without any load" in text for text in exchanged.report.warnings) else "",
-        ),
+        Measure("moved as a whole, nodes renumbered, relative difference", gap, INVARIANT),
+        Measure("sides swapped, relative difference of forces and concentrations", swap, tolerance, note=note),
     ]
 
 

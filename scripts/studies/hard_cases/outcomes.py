@@ -1,7 +1,5 @@
 """How runs of hard cases ended, as rows of a table, and what the table says."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -30,31 +28,22 @@ class End(str, Enum):
 
 @dataclass(frozen=True)
 class Attempt:
-    """A case that was run on one mesh with one interface.
-
-    Attributes
-    ----------
-    case, mesh, interface : str
-    ended : bool
-        Whether the run ended normally.
-    reached : float
-        Part of the case's time that was reached.
-    limited : bool
-        Whether the limit ended it.
-    steps, iterations, residuals, retries : int
-        Iterations and residuals are 0 where FEBio wrote no summary.
-    """
+    """A case that was run on one mesh with one interface."""
 
     case: str
     mesh: str
     interface: str
     ended: bool
+    """Whether the run ended normally."""
     reached: float
+    """Part of the case's time that was reached."""
     limited: bool
+    """Whether the limit ended it."""
     steps: int
     iterations: int
     residuals: int
     retries: int
+    """Iterations and residuals are 0 where FEBio wrote no summary."""
 
     @property
     def counts(self) -> str:
@@ -66,15 +55,10 @@ class Attempt:
 
 @dataclass(frozen=True)
 class Outcome(Attempt):
-    """An attempt as a row of the table.
-
-    Attributes
-    ----------
-    missed : str
-        Checks that it misses, with semicolons between them.
-    """
+    """An attempt as a row of the table."""
 
     missed: str
+    """Checks that it misses, with semicolons between them."""
 
     @property
     def end(self) -> End:
@@ -91,16 +75,15 @@ class Outcome(Attempt):
         return f"{self.iterations} ({self.retries})" if self.retries else f"{self.iterations}"
 
 
+_MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}
 Table = dict[tuple[str, str], dict[str, Outcome]]
 """By case and mesh, then by interface."""
 
 
 def arranged(outcomes: Sequence[Outcome]) -> Table:
     """Outcomes by case and mesh, in the order in which they come."""
-    found: Table = {}
-    for outcome in outcomes:
-        found.setdefault((outcome.case, outcome.mesh), {})[outcome.interface] = outcome
-    return found
+    rows = tables.grouped(outcomes, lambda outcome: (outcome.case, outcome.mesh))
+    return {key: {outcome.interface: outcome for outcome in row} for key, row in rows.items()}
 
 
 def summary(outcomes: Sequence[Outcome]) -> str:
@@ -132,14 +115,7 @@ def table(outcomes: Sequence[Outcome], about: dict[str, str]) -> str:
     heads = ["case", "mesh", *HEADINGS.values(), "better in FEBio's"]
     rows = []
     for (case, mesh), row in arranged(outcomes).items():
-        cells = [_cell(row[name]) if name in row else "not run" for name in HEADINGS]
+        cells = [f"{_MARKS[row[name].end]}{row[name].short}" if name in row else "not run" for name in HEADINGS]
         best = ", ".join(f"{run.short} with {HEADINGS[run.interface].split(', ')[1]}" for run in better(row))
         rows.append((about[case], mesh, *cells, best))
     return tables.markdown(heads, rows)
-
-
-_MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}
-
-
-def _cell(outcome: Outcome) -> str:
-    return f"{_MARKS[outcome.end]}{outcome.short}"

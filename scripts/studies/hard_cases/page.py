@@ -1,7 +1,5 @@
 """The page of the hard cases: docs/evidence/hard-cases.md, from docs/data/hard-cases.csv."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -84,9 +82,7 @@ def technical(runs: Sequence[Outcome]) -> str:
 
 def counted_twice(cases: Sequence[str]) -> str:
     """Which cases are one scene: the same model with another check, or with two passes."""
-    told: dict[str, list[str]] = {}
-    for name in cases:
-        told.setdefault(_scene(name), []).append(name)
+    told = tables.grouped(cases, _scene)
     groups = [names for names in told.values() if len(names) > 1]
     named = "; ".join(" and ".join(f"`{name}`" for name in names) for names in groups)
     return f"Some cases share a scene: {named}. The {len(cases)} cases have {len(told)} scenes." if groups else ""

@@ -4,8 +4,6 @@ Laterally confined, with 1 mM below and nothing above, both without fluid pressu
 known: equal stress and equal fluxes in both blocks, uniform strain and a linear concentration in each.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -66,65 +64,43 @@ def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> lis
 
 @dataclass(frozen=True)
 class Press:
-    """Two blocks of 1 mm, the upper one moved down.
-
-    Attributes
-    ----------
-    lower, upper : Mixture
-    gap : float
-        Distance at the start, in elements of the upper block if `in_elements`, else in mm; negative for an overlap.
-    in_elements : bool
-    shortening : float
-        Of both blocks at the end, mm: the upper one's top moves by this and the gap.
-    path : tuple of (float, float)
-        Way of the top over time (s): 1 where the blocks are shortened by `shortening`, 0 at the start.
-    times : tuple of float
-        Ends of the time steps, s.
-    width : (float, float)
-        Cross-section, mm.
-    across : tuple of (int, int), optional
-        Elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3.
-    warp : float
-        Height (mm) by which the surfaces in contact are warped.
-    below, above : tuple of float
-        Concentration of each solute below and above, mM.
-    initial : tuple of float
-        Concentration of each solute at the start, mM; without it none.
-    newton : float
-        Newton's relative tolerances.
-    penalties : float
-        Factor on all penalties.
-    augmented : float, optional
-        Relative tolerance of augmentations (AUGLAG); without it there are none.
-    inlet : float
-        Fluid pressure below, MPa; none above.
-    stepper : TimeStepper, optional
-        Chooses the time steps instead of `times`, whose first and last entries then are the first step and the end.
-    tolerance : float
-        Largest error allowed of force and concentration, relative to their largest values.
-    name : str
-    """
+    """Two blocks of 1 mm, the upper one moved down."""
 
     lower: Mixture = GEL
     upper: Mixture = GEL
     gap: float = 0.0
+    """Distance at the start, in elements of the upper block if `in_elements`, else in mm; negative for an overlap."""
     in_elements: bool = False
     shortening: float = 0.05
+    """Of both blocks at the end, mm: the upper one's top moves by this and the gap."""
     path: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1000.0, 1.0))
+    """Way of the top over time (s): 1 where the blocks are shortened by `shortening`, 0 at the start."""
     times: tuple[float, ...] = (*RAMP, *HOLD)
+    """Ends of the time steps, s."""
     width: tuple[float, float] = (1.0, 1.0)
+    """Cross-section, mm."""
     across: tuple[int, int] | None = None
+    """Elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3."""
     warp: float = 0.0
+    """Height (mm) by which the surfaces in contact are warped."""
     below: tuple[float, ...] = (1.0,)
     above: tuple[float, ...] = (0.0,)
+    """Concentration of each solute below and above, mM."""
     initial: tuple[float, ...] = ()
+    """Concentration of each solute at the start, mM; without it none."""
     newton: float = NEWTON
+    """Newton's relative tolerances."""
     penalties: float = 1.0
+    """Factor on all penalties."""
     augmented: float | None = None
+    """Relative tolerance of augmentations (AUGLAG); without it there are none."""
     extra: tuple[Param, ...] = field(default=())
     inlet: float = 0.0
+    """Fluid pressure below, MPa; none above."""
     stepper: TimeStepper | None = None
+    """Chooses the time steps instead of `times`, whose first and last entries then are the first step and the end."""
     tolerance: float = 2e-3
+    """Largest error allowed of force and concentration, relative to their largest values."""
     name: str = "press"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -141,14 +117,11 @@ class Press:
             *ambient_at("upper-top", self.above),
             *(initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
         )
-        same = self.lower == self.upper
-        materials = {"lower": self.lower, "upper": self.lower if same else self.upper}
-        joined = interface.contacts("multiphasic", made, self.extra, self.penalties, self.augmented)
+        joined = interface.contacts(made, self.extra, self.penalties, self.augmented)
         text = f"Hard case {self.name}: two confined blocks, the upper one moved down."
-        model = Model(
-            self.name, text, "multiphasic", made, materials, conditions, control, joined, (Curve(self.path), steps)
-        )
-        return finished(model, interface)
+        about, materials = (self.name, text, "multiphasic"), {"lower": self.lower, "upper": self.upper}
+        curves = (Curve(self.path), steps)
+        return finished(Model(*about, made, materials, conditions, control, joined, curves), interface)
 
     def _gap(self, mesh: Fineness) -> float:
         """Mm."""
@@ -212,10 +185,8 @@ class Press:
         first, last = self.below[number - 1], self.above[number - 1]
         middle = first + (last - first) * resistance[0] / sum(resistance)
         exact = np.empty(len(model.mesh.nodes))
-        base = (
-            -1.0,
-            float(model.mesh.nodes[:, 2].max()) - 1.0,
-        )  # of the two blocks, which are 1 mm high but for a warp
+        # Bottoms of the two blocks, which are 1 mm high but for a warp.
+        base = (-1.0, float(model.mesh.nodes[:, 2].max()) - 1.0)
         ends = ((first, middle), (middle, last))
         for part, (low, high), start in zip(model.mesh.parts, ends, base, strict=True):
             ids = np.unique(part.elements) - 1

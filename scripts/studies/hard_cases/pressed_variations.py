@@ -1,7 +1,5 @@
 """Variations of the two confined blocks that are checked against another run instead of, or beside, the closed form."""
 
-from __future__ import annotations
-
 import shutil
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -27,15 +25,10 @@ SPLIT = NEWTON
 
 @dataclass(frozen=True)
 class AgainstReference(Press):
-    """Where convection leaves no simple closed form: the split body against the conforming reference.
-
-    Attributes
-    ----------
-    transient : bool
-        Whether all times are compared, or the steady state alone.
-    """
+    """Where convection leaves no simple closed form: the split body against the conforming reference."""
 
     transient: bool = True
+    """Whether all times are compared, or the steady state alone."""
 
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Pressure and concentrations at all nodes."""

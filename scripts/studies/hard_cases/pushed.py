@@ -1,7 +1,5 @@
 """A slab on a fixed base and a body of any shape that is pushed into it, along it, or turned on it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -18,37 +16,24 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
-from studies.models.assembly import box
+from studies.models.assembly import NEAR, box, plane
 from studies.models.pieces import Motion, driven
-
-NEAR = 1e-9
 
 
 @dataclass(frozen=True)
 class Shape:
-    """A body with what it touches with and what it is held by.
-
-    Attributes
-    ----------
-    body : Body
-    contact : ndarray of int, shape (n_facets, 4)
-        Node numbers from 0.
-    grip : ndarray of int
-        Node numbers from 0.
-    """
+    """A body with what it touches with and what it is held by."""
 
     body: Body
     contact: Ids
+    """Node numbers from 0. Shape (n_facets, 4)."""
     grip: Ids
+    """Node numbers from 0."""
 
 
 def faces(body: Body, axes: str, ends: float) -> Ids:
     """Outer facets of a box whose position along one of `axes` is `ends` (mm)."""
-    return np.concatenate([_face(body, "xyz".index(axis), ends) for axis in axes])
-
-
-def _face(body: Body, axis: int, end: float) -> Ids:
-    return blocks.facets_where(body, lambda x: np.abs(x[..., axis] - end) < NEAR)
+    return np.concatenate([blocks.facets_where(body, plane(axis, ends).inside) for axis in axes])
 
 
 def turned(shape: Shape, rotation: Array, shift: Array) -> Shape:
@@ -93,40 +78,27 @@ def slab(low: tuple[float, float, float], high: tuple[float, float, float], elem
 
 @dataclass(frozen=True)
 class Pushed:
-    """A body held by its grip and one that moves with its own; 1 mM at the first grip, 0 at the other.
-
-    Attributes
-    ----------
-    base, shape : callable
-        The lower and the upper body for a factor (1 or 2) on the number of elements along each edge.
-    motion : callable
-    times : tuple of float
-        Ends of the time steps, s.
-    plane : bool
-        Whether nothing moves along y.
-    bounds : callable
-        The physical checks: from a run, measures.
-    half : bool
-        Whether x = 0 is a plane of symmetry at which the model ends.
-    base_is_primary : bool
-        Whether the base has the primary surface.
-    extra : tuple of Param
-        Further parameters of every interface.
-    """
+    """A body held by its grip and one that moves with its own; 1 mM at the first grip, 0 at the other."""
 
     base: Callable[[int], Shape]
     shape: Callable[[int], Shape]
+    """The lower and the upper body for a factor (1 or 2) on the number of elements along each edge."""
     motion: Motion
     times: tuple[float, ...]
+    """Ends of the time steps, s."""
     bounds: Callable[[RunResult], list[Measure]]
+    """The physical checks: from a run, measures."""
     plane: bool = True
+    """Whether nothing moves along y."""
     name: str = "pushed"
     half: bool = False
+    """Whether x = 0 is a plane of symmetry at which the model ends."""
     base_is_primary: bool = False
+    """Whether the base has the primary surface."""
     extra: tuple[Param, ...] = ()
+    """Further parameters of every interface."""
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
-        """The model."""
         axes = "xz" if self.plane else "xyz"
         made, grip, curves = driven(self._mesh(1 if mesh is Fineness.COARSE else 2), self.times, self.motion, axes)
         control, steps = timed(self.times, len(curves) + 1, 1e-3 * NEWTON)
@@ -138,9 +110,9 @@ class Pushed:
             *ambient_at("base", (1.0,)),
             *ambient_at("grip", (0.0,)),
         )
-        text = f"Hard case {self.name}: a body pushed into another one."
-        joined = interface.contacts("multiphasic", made, self.extra)
-        model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, (*curves, steps))
+        about = (self.name, f"Hard case {self.name}: a body pushed into another one.", "multiphasic")
+        joined = interface.contacts(made, self.extra)
+        model = Model(*about, made, {"gel": GEL}, conditions, control, joined, (*curves, steps))
         return finished(model, interface)
 
     def _mesh(self, factor: int) -> Mesh:
@@ -195,12 +167,9 @@ def mirrored(axis: int, tolerance: float) -> Callable[[RunResult], list[Measure]
         force = grip_force(run)
         normal = np.abs(force[:, 2])
         grows = float(np.min(np.diff(normal[: int(np.argmax(normal)) + 1])) / normal.max())
+        across = float(np.abs(force[:, axis]).max() / normal.max())
         return [
-            Measure(
-                "force across the plane of symmetry, relative",
-                float(np.abs(force[:, axis]).max() / normal.max()),
-                tolerance,
-            ),
+            Measure("force across the plane of symmetry, relative", across, tolerance),
             Measure("normal force on the way down, smallest growth", -grows, 1e-6),
         ]
 

@@ -1,7 +1,5 @@
 """One run of a hard case as data, and the table of all of them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields
@@ -22,18 +20,12 @@ from studies.stamps import at_limit
 
 @dataclass(frozen=True)
 class Record(Attempt):
-    """An attempt with what was checked of it.
-
-    Attributes
-    ----------
-    failures : str
-        How attempts at steps failed.
-    measures : list of Measure
-        All checks that could be made.
-    """
+    """An attempt with what was checked of it."""
 
     failures: str
+    """How attempts at steps failed."""
     measures: list[Measure]
+    """All checks that could be made."""
 
     @property
     def missed(self) -> list[Measure]:

@@ -1,7 +1,5 @@
 """The hard cases of friction, in one table: scenes that are run with friction and without it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -11,7 +9,7 @@ from harness.models.parts import Param
 from harness.post.compare import Measure
 from harness.run.runner import RunResult
 from studies.closed_forms import incline
-from studies.hard_cases.catalogue import CORNER, CURVED, PRESSED, slider, spinner, wedge
+from studies.hard_cases.catalogue import CORNER, CURVED, EDGE, PRESSED, TURNED, slider
 from studies.hard_cases.pushed import Pushed, Shape, along, grip_force, slab, spinning
 from studies.models.pieces import Motion
 
@@ -61,18 +59,12 @@ def free(run: RunResult) -> list[Measure]:  # noqa: ARG001 other scenes look at 
 
 @dataclass(frozen=True)
 class Rubbing:
-    """A hard case of friction.
-
-    Attributes
-    ----------
-    about : str
-        What is hard about it, in a few words.
-    scene : Pushed
-        With the parameters of friction.
-    """
+    """A hard case of friction."""
 
     about: str
+    """What is hard about it, in a few words."""
     scene: Pushed
+    """With the parameters of friction."""
 
     @property
     def frictionless(self) -> Pushed:
@@ -156,15 +148,7 @@ CASES: dict[str, Rubbing] = {
     ),
     "rotation": Rubbing(
         "a body turned by 90 degrees in contact",
-        Pushed(
-            lambda f: slab((-0.8, -0.8, -0.6), (0.8, 0.8, 0.0), (4 * f, 4 * f, 2 * f)),
-            spinner,
-            spinning(0.03, 1000.0, 5000.0, 90.0),
-            every(125.0, 5000.0),
-            free,
-            plane=False,
-            extra=rubs(),
-        ),
+        _with(TURNED, spinning(0.03, 1000.0, 5000.0, 90.0), every(125.0, 5000.0)),
     ),
     "twenty-facets": Rubbing(
         "large sliding over many facets",
@@ -175,15 +159,7 @@ CASES: dict[str, Rubbing] = {
     ),
     "round-on-round": Rubbing("curved on curved, facet ratio 1:8", replace(CURVED, bounds=free, extra=rubs())),
     "edge": Rubbing(
-        "an edge pressed into a face and drawn along it",
-        Pushed(
-            lambda f: slab((-1.0, 0.0, -0.8), (1.0, 0.25, 0.0), (8 * f, 1, 4 * f)),
-            wedge,
-            along(DOWN_AND_ALONG),
-            every(50.0, 2000.0),
-            free,
-            extra=rubs(),
-        ),
+        "an edge pressed into a face and drawn along it", _with(EDGE, along(DOWN_AND_ALONG), every(50.0, 2000.0))
     ),
     "corner": Rubbing(
         "a corner pressed into a face and drawn along it", _with(CORNER, along(DOWN_AND_ALONG), every(50.0, 2000.0))

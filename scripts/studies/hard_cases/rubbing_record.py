@@ -1,11 +1,8 @@
 """One hard case of friction on one mesh: how it ends, its checks, and the same scene without friction beside it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from harness.errors import HarnessError
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies import diagnosis
@@ -24,28 +21,19 @@ FRICTIONLESS = "sliding-mixture, no friction"
 
 @dataclass(frozen=True)
 class Record:
-    """What came of a case on one mesh.
-
-    Attributes
-    ----------
-    friction, frictionless : Attempt
-        With sliding-mixture.
-    febio : list of Attempt
-        With FEBio's friction.
-    failures : str
-        How attempts at steps failed with friction.
-    costs : list of Measure
-        Iterations and retries beside those without friction.
-    measures : list of Measure
-        Balances, and what the scene asks for.
-    """
+    """What came of a case on one mesh."""
 
     friction: Attempt
     frictionless: Attempt
+    """With sliding-mixture."""
     febio: list[Attempt]
+    """With FEBio's friction."""
     failures: str
+    """How attempts at steps failed with friction."""
     costs: list[Measure]
+    """Iterations and retries beside those without friction."""
     measures: list[Measure]
+    """Balances, and what the scene asks for."""
 
     @property
     def passed(self) -> bool:
@@ -77,11 +65,9 @@ def make(runner: Runner, name: str, mesh: Fineness, febio: Sequence[Interface] =
 
     Raises
     ------
-    HarnessError
-        For an unknown case, or without an engine or plugin.
+    EngineNotFoundError, PluginNotFoundError
+        See `harness.run.engine`.
     """
-    if name not in CASES:
-        raise HarnessError(f"'{name}' is no hard case of friction; there is {', '.join(CASES)}")
     case = CASES[name]
     run = runner(case.scene.model(mesh, Interface.MIXTURE), check=False)
     plain = runner(case.frictionless.model(mesh, Interface.MIXTURE), check=False)

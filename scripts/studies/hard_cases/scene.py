@@ -1,7 +1,5 @@
 """What a hard case consists of, and the pieces that all of them use."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -14,7 +12,7 @@ from harness.models.parts import Condition, Contact, Control, Curve, Mixture, Pa
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.models import pieces
-from studies.models.pieces import PREDICTOR
+from studies.models.pieces import PREDICTOR, UNCLAMPED
 
 GEL = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, 5e-4, 5e-4),))
 """E = 1 MPa, nu = 0, k = 1e-3 mm^4/(N s), d = d0 = 5e-4 mm^2/s, phi_w = 0.8.
@@ -49,49 +47,34 @@ class Interface(str, Enum):
         """Whether it is the plugin's."""
         return self in (Interface.MIXTURE, Interface.PREDICTED)
 
-    def contact_type(self, module: str) -> InterfaceType:
-        """The type of contact in a module."""
-        if self.ours:
-            return InterfaceType.MIXTURE
-        return {
-            "biphasic": InterfaceType.BIPHASIC,
-            "solute": InterfaceType.SOLUTE,
-            "multiphasic": InterfaceType.MULTIPHASIC,
-        }[module]
+    @property
+    def contact_type(self) -> InterfaceType:
+        """The type of contact."""
+        return InterfaceType.MIXTURE if self.ours else InterfaceType.MULTIPHASIC
 
-    def settings(self, module: str, scale: float = 1.0) -> ContactSettings:
+    def settings(self, scale: float = 1.0) -> ContactSettings:
         """Parameters of the interface, with all penalties times `scale`.
 
-        FEBio's interfaces get their non-symmetric tangent, and a search radius below the size of a body.
+        The plugin's default factors are 1e3 on the stiffness and 1e5 on the conductances. FEBio's interfaces get their
+        non-symmetric tangent, and a search radius below the size of a body.
         """
         if self.ours:
-            own = ContactSettings() if scale == 1.0 else _scaled_defaults(scale)
+            own = (
+                ContactSettings() if scale == 1.0 else replace(automatic(1e5 * scale), laugon=None, penalty=1e3 * scale)
+            )
             return replace(own, extra=(PREDICTOR,)) if self is Interface.PREDICTED else own
         given = automatic((1.0 if self is Interface.FEBIO_1 else 1000.0) * scale)
-        fair = replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
-        return replace(fair, concentration_penalty=None) if module == "biphasic" else fair
+        return replace(given, search_radius=0.5, extra=(Param("symmetric_stiffness", False),))
 
     def contacts(
-        self,
-        module: str,
-        mesh: Mesh,
-        extra: Sequence[Param] = (),
-        scale: float = 1.0,
-        augmented: float | None = None,
+        self, mesh: Mesh, extra: Sequence[Param] = (), scale: float = 1.0, augmented: float | None = None
     ) -> tuple[Contact, ...]:
         """One interface for each pair of a mesh; augmented to a relative tolerance where one is given."""
-        settings = self.settings(module, scale)
+        settings = self.settings(scale)
         if augmented is not None:
             settings = replace(settings, laugon="AUGLAG", tolerance=augmented)
         params = (*settings.params(), *extra)
-        return tuple(Contact(self.contact_type(module).value, pair, params) for pair in mesh.pairs)
-
-
-def _scaled_defaults(scale: float) -> ContactSettings:
-    """The plugin's default factors, 1e3 on the stiffness and 1e5 on the conductances, times `scale`."""
-    return ContactSettings(
-        auto_penalty=True, penalty=1e3 * scale, pressure_penalty=1e5 * scale, concentration_penalty=1e5 * scale
-    )
+        return tuple(Contact(self.contact_type.value, pair, params) for pair in mesh.pairs)
 
 
 UNDERSHOOT = 2.0 - 3.0**0.5
@@ -114,26 +97,17 @@ class Scene(Protocol):
 
 @dataclass(frozen=True)
 class Case:
-    """A hard case.
-
-    Attributes
-    ----------
-    about : str
-        What is hard about it, in a few words.
-    scene : Scene
-    undershoot : float
-        How far concentrations may leave their range, relative to it.
-    pointwise : float
-        Deepest overlap, and largest gap under load, of the facets' means, relative to the length of a facet.
-    swap : float
-        Relative difference with primary and secondary exchanged: the error of these coarse meshes.
-    """
+    """A hard case."""
 
     about: str
+    """What is hard about it, in a few words."""
     scene: Scene
     undershoot: float = UNDERSHOOT
+    """How far concentrations may leave their range, relative to it."""
     pointwise: float = 0.02
+    """Deepest overlap, and largest gap under load, of the facets' means, relative to the length of a facet."""
     swap: float = 0.05
+    """Relative difference with primary and secondary exchanged: the error of these coarse meshes."""
 
 
 def timed(times: Sequence[float], curve: int, newton: float = NEWTON) -> tuple[Control, Curve]:
@@ -156,10 +130,9 @@ def finished(model: Model, interface: Interface) -> Model:
     without, makes solute from nothing.
     """
     flows = FLOWS[:4] + tuple(f"contact solute flow {k + 1}" for k in range(model.n_solutes))
-    unclamped = (Param("force_positive_concentrations", False),) if model.module == "multiphasic" else ()
     return replace(
         model,
-        control=replace(model.control, solver=unclamped),
+        control=replace(model.control, solver=UNCLAMPED),
         further_columns=("Rx", "Ry", "Rz"),
         surface_columns=flows if interface.ours else (),
         facet_columns=FACETS,

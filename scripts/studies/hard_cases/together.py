@@ -1,7 +1,5 @@
 """Three bodies that share nodes of a contact surface, and a body that a load brings into contact."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -26,16 +24,11 @@ CUSHION = Solid(0.01)
 
 @dataclass(frozen=True)
 class Seesaw:
-    """A slab under two blocks, each with a contact of its own; the two contacts share the nodes of the middle.
-
-    Attributes
-    ----------
-    left, right : tuple of (float, float)
-        Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `SHORTENING`, below 0 is open.
-    """
+    """A slab under two blocks, each with a contact of its own; the two contacts share the nodes of the middle."""
 
     left: tuple[tuple[float, float], ...]
     right: tuple[tuple[float, float], ...]
+    """Way of the tops of the blocks over time (s): 1 shortens a block and the slab by `SHORTENING`, below 0 is open."""
     name: str = "seesaw"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -51,10 +44,9 @@ class Seesaw:
             *ambient_at("left-top", (0.0,)),
             *ambient_at("right-top", (0.0,)),
         )
-        text = f"Hard case {self.name}: two blocks on one slab."
         curves = (Curve(self.left), Curve(self.right), steps)
-        joined = interface.contacts("multiphasic", made)
-        model = Model(self.name, text, "multiphasic", made, {"gel": GEL}, conditions, control, joined, curves)
+        about = (self.name, f"Hard case {self.name}: two blocks on one slab.", "multiphasic")
+        model = Model(*about, made, {"gel": GEL}, conditions, control, interface.contacts(made), curves)
         return finished(model, interface)
 
     def _mesh(self, mesh: Fineness) -> Mesh:
@@ -104,11 +96,9 @@ class Dropped:
         )
         materials = {"gel": GEL, "cushion": replace(GEL, solid=CUSHION)}
         curves = (Curve(((0.0, 0.0), (RAMP[-1], 1.0))), steps)
-        text = f"Hard case {self.name}: a block that a load moves."
-        joined = interface.contacts("multiphasic", made)
-        return finished(
-            Model(self.name, text, "multiphasic", made, materials, conditions, control, joined, curves), interface
-        )
+        about = (self.name, f"Hard case {self.name}: a block that a load moves.", "multiphasic")
+        model = Model(*about, made, materials, conditions, control, interface.contacts(made), curves)
+        return finished(model, interface)
 
     def _mesh(self, mesh: Fineness) -> Mesh:
         thick = 3 if mesh is Fineness.COARSE else 5

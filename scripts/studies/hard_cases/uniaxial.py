@@ -1,7 +1,5 @@
 """Two nearly incompressible blocks with free sides, pressed together at once: undrained first, drained in the end."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -59,10 +57,9 @@ class Uniaxial:
         )
         load = Curve(((0.0, 0.0), (TIMES[0], 1.0)))
         gel = replace(GEL, solid=SOLID)
-        joined = interface.contacts("multiphasic", made)
         text = f"Hard case {self.name}: two nearly incompressible blocks, pressed together at once."
-        model = Model(self.name, text, "multiphasic", made, {"gel": gel}, conditions, control, joined, (load, steps))
-        return finished(model, interface)
+        about, joined = (self.name, text, "multiphasic"), interface.contacts(made)
+        return finished(Model(*about, made, {"gel": gel}, conditions, control, joined, (load, steps)), interface)
 
     def _mesh(self, mesh: Fineness) -> Mesh:
         below, above = ((2, 2, 4), (2, 2, 4)) if mesh is Fineness.COARSE else ((4, 4, 8), (2, 2, 4))

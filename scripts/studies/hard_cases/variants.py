@@ -1,7 +1,5 @@
 """The same model written differently: sides swapped, moved as a whole, nodes renumbered, in other units."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The commands `biphasic-hertz` and `elastic-hertz`."""
 
-from __future__ import annotations
-
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps
@@ -23,7 +21,6 @@ def biphasic_hertz(
         rows += own
         errors = growth_records.largest_errors(own, problem.load.points[1][0])
         console.print(f"{problem.name}: " + ", ".join(f"{name} {error:.2%}" for name, error in errors.items()))
-    (folder / "data").mkdir(parents=True, exist_ok=True)
     files.write_csv(rows, growth_records.Record, folder / DATA, stamps.stamp())
     console.print(f"Written: {folder / DATA}, {figures.draw(rows, folder / PICTURE)}")
 
@@ -33,6 +30,5 @@ def elastic_hertz(
 ) -> None:
     """Press a cylinder and a sphere on a block, on two meshes each, and compare with Hertz's closed forms."""
     rows = elastic_profiles.all_rows(Runner(RESULTS / "runs"))
-    (folder / "data").mkdir(parents=True, exist_ok=True)
     files.write_csv(rows, elastic_profiles.ProfileRow, folder / ELASTIC_DATA, stamps.stamp())
     console.print(f"Written: {folder / ELASTIC_DATA}, {figures.draw_elastic(rows, folder / ELASTIC_PICTURE)}")

@@ -1,7 +1,5 @@
 """Pressure of Hertz's contacts of elastic bodies over the distance from the middle, on two meshes each."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -13,7 +11,6 @@ from studies.closed_forms import hertz
 from studies.models import elastic_hertz, partial_slip
 from studies.models.elastic_hertz import ElasticHertz
 from studies.models.partial_slip import PartialSlip
-from studies.post import half_ellipse
 
 WITHIN = 0.8
 """Part of the half-width or radius that closed forms are fitted in: facets at the edge are in contact in part."""
@@ -21,23 +18,17 @@ WITHIN = 0.8
 
 @dataclass(frozen=True)
 class ProfileRow:
-    """A facet of a run.
-
-    Attributes
-    ----------
-    problem, mesh : str
-    place, pressure : float
-        Distance of its middle from that of the contact (mm), and mean pressure (MPa).
-    radius, peak : float
-        Half-width or radius of the contact (mm) and peak pressure (MPa) of the closed form, for the force that passes.
-    """
+    """A facet of a run."""
 
     problem: str
     mesh: str
     place: float
     pressure: float
+    """Distance of its middle from that of the contact (mm), and mean pressure (MPa)."""
     radius: float
     peak: float
+    """Half-width or radius of the contact (mm) and peak pressure (MPa) of the closed form, for the force that passes.
+    """
 
 
 def sphere(runner: Runner, elements: int) -> list[ProfileRow]:
@@ -82,7 +73,7 @@ def errors(rows: Sequence[ProfileRow]) -> tuple[float, float]:
     facets within `WITHIN` of the closed form's a.
     """
     place, pressure = np.array([(row.place, row.pressure) for row in rows if row.place < WITHIN * row.radius]).T
-    fitted = half_ellipse.through(place, pressure)
+    fitted = hertz.half_ellipse_through(place, pressure)
     return fitted.half_width / rows[0].radius - 1.0, fitted.peak / rows[0].peak - 1.0
 
 

@@ -1,7 +1,5 @@
 """Runs over closed forms: half-width and peak pressure over time, and pressure over the contact."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

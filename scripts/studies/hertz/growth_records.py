@@ -1,7 +1,5 @@
 """What is compared of each run: a row per time step, with the closed form beside it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

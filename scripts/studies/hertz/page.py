@@ -1,8 +1,6 @@
 """The page of verification: docs/evidence/verification.md, from the checks of `validate` and the thin layers."""
 
-from __future__ import annotations
-
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from harness.paths import DOCS
@@ -31,7 +29,7 @@ def figures() -> Mapping[str, str]:
         "checks": "\n".join(map(_check, sections)),
         "split": "\n".join(f"| {_cell(m.name)} | {m.value:.2g} |" for m in measures if any(s in m.name for s in SPLIT)),
         "layers": "\n".join(map(_layers, PROBLEMS)),
-        "elastic": "\n".join(_elastic(files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow))),
+        "elastic": "\n".join(_line(name, map(abs, found)) for name, found in _elastic_errors()),
     }
 
 
@@ -52,8 +50,7 @@ def headline(sections: Sequence[Section]) -> str:
 def details(checks: int) -> str:
     """The number of checks, and the largest errors of contacts that have no tolerance."""
     layers = max(error for problem in PROBLEMS for error in _layer_errors(problem).values())
-    rows = files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow)
-    hertz = max(abs(error) for _, found in _elastic_errors(rows) for error in found)
+    hertz = max(abs(error) for _, found in _elastic_errors() for error in found)
     return (
         f"The results come from {checks} checks against closed forms, conforming references and balances. Hertz's "
         "contacts have no tolerance and are not among these results. Half-widths, radii and peak pressures of a "
@@ -68,14 +65,11 @@ def _used(measure: Measure) -> float:
 
 
 def _check(section: Section) -> str:
+    """A check with its number of measures, and the one that uses the largest part of its tolerance."""
     met = sum(measure.passed for measure in section.measures)
-    return f"| {_cell(section.about)} | {len(section.measures)} | {met} | {_closest(section.measures)} |"
-
-
-def _closest(measures: list[Measure]) -> str:
-    """The measure that uses the largest part of its tolerance."""
-    most = max(measures, key=_used)
-    return f"{most.value:.3g} of {most.tolerance:.3g}"
+    most = max(section.measures, key=_used)
+    closest = f"{most.value:.3g} of {most.tolerance:.3g}"
+    return f"| {_cell(section.about)} | {len(section.measures)} | {met} | {closest} |"
 
 
 def _layer_errors(problem: BiphasicHertz) -> dict[str, float]:
@@ -84,23 +78,19 @@ def _layer_errors(problem: BiphasicHertz) -> dict[str, float]:
 
 
 def _layers(problem: BiphasicHertz) -> str:
-    errors = _layer_errors(problem)
     drained = "drain" if problem.draining else "impermeable"
     shape = problem.shape.name.lower()
     name = f"{shape}, {problem.across} by {problem.through} elements in a layer, free surfaces {drained}"
-    return f"| {name} | " + " | ".join(f"{100.0 * error:.2f} %" for error in errors.values()) + " |"
+    return _line(name, _layer_errors(problem).values())
 
 
-def _elastic(rows: Sequence[ProfileRow]) -> list[str]:
-    """A row of the table for each problem and mesh."""
-    return [
-        f"| {name} | " + " | ".join(f"{100.0 * abs(each):.2f} %" for each in found) + " |"
-        for name, found in _elastic_errors(rows)
-    ]
+def _line(name: str, errors: Iterable[float]) -> str:
+    return f"| {name} | " + " | ".join(f"{100.0 * error:.2f} %" for error in errors) + " |"
 
 
-def _elastic_errors(rows: Sequence[ProfileRow]) -> list[tuple[str, tuple[float, float]]]:
+def _elastic_errors() -> list[tuple[str, tuple[float, float]]]:
     """By problem and mesh: relative errors of half-width or radius, and of the peak."""
+    rows = files.read_csv(DATA / ELASTIC_SOURCE, ProfileRow)
     return [
         (f"{problem}, {mesh}", elastic_profiles.errors([r for r in rows if (r.problem, r.mesh) == (problem, mesh)]))
         for problem, mesh in dict.fromkeys((row.problem, row.mesh) for row in rows)

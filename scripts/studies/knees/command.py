@@ -1,7 +1,5 @@
 """The command `knee`."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import Annotated
 
@@ -33,8 +31,7 @@ def knee(
     if docs and (only or kind is not Kind.ELASTIC):
         raise typer.BadParameter("the documentation has all elastic knees, and no others", param_hint="--docs")
     try:
-        names = ("compared_knees", "figures", "converted_joint")
-        compared, figures, converted_joint = (import_module(f"studies.knees.{name}") for name in names)
+        compared, figures = (import_module(f"studies.knees.{name}") for name in ("compared_knees", "figures"))
     except ImportError as error:
         raise HarnessError(f"`knee` needs pyfebio and PyVista, and Python 3.11 or newer ({error})") from error
     runner = Runner(folder / "runs", processor_limit=limit)
@@ -53,4 +50,4 @@ def knee(
         files.write_csv(found, KneeRun, DATA / page.SOURCE, stamps.stamp(limit))
         for each in page.PAGES:
             each.write()
-        converted_joint.draw(runner, DOCS / "images")
+        figures.draw_converted(runner, DOCS / "images")

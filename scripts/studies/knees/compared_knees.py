@@ -1,10 +1,9 @@
 """Runs of the knee, and what passes each of its compartments."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -14,12 +13,13 @@ from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.knee.bearing import Load
 from harness.models.knee.tissues import TISSUES, Bodies
 from harness.models.knee.whole_knee import Knee
-from harness.models.knee.whole_mesh import Size
+from harness.models.knee.whole_mesh import BATH, Size
+from harness.models.parts import Mixture
+from harness.post import solute_balance
 from harness.report import history, plot_file
 from harness.report.history import Contact
 from harness.report.plot_file import PlotFile, State
 from harness.run.runner import Runner, RunResult
-from studies.knees import solute_of_knee
 from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.stamps import at_limit
 
@@ -100,7 +100,7 @@ def _measured(knee: Knee, factor: float, result: RunResult) -> KneeRun:
     )
     measured = _with_compartments(measured, result)
     if knee.bodies is Bodies.SOLUTE and report.steps:
-        measured = replace(measured, appeared=solute_of_knee.appeared(result))
+        measured = replace(measured, appeared=_appeared(result))
     return measured
 
 
@@ -164,3 +164,22 @@ def _of_side(contacts: Sequence[Contact], side: str, number: int) -> tuple[float
     force = sum(float(contact.force[number]) for contact in of_side)
     area = sum(float(contact.area[number]) for contact in of_side)
     return force, area, max((float(contact.peak[number]) for contact in of_side), default=0.0)
+
+
+def _appeared(result: RunResult) -> float:
+    """Solute that entered at nodes which nothing feeds, over the whole run, relative to the content at the end.
+
+    Contact surfaces and synovial fluid feed the nodes on them.
+    """
+    model = result.model
+    history = result.nodes
+    states = solute_balance.states(history)
+    parts = [part for part in model.mesh.parts if isinstance(model.materials[part.material], Mixture)]
+    balanced = np.ones(len(model.mesh.nodes), dtype=bool)
+    for fed in (model.mesh.node_sets[BATH], *(model.mesh.surfaces[name] for name in model.contact_surfaces)):
+        balanced[np.ravel(fed) - 1] = False
+    total = 0.0
+    for (before, after), step in zip(pairwise(states), np.diff(history.times), strict=True):
+        inflow = sum(solute_balance.inflow(model, part, before, after, float(step)) for part in parts)
+        total += float(np.sum(np.asarray(inflow)[balanced]))
+    return abs(total) / sum(solute_balance.content(model, part, states[-1]) for part in parts)

@@ -1,22 +1,27 @@
-"""The picture of the knee: contact pressure on tibia and menisci, with FEBio's interface and with the plugin's."""
-
-from __future__ import annotations
+"""Contact pressure with FEBio's interface and with the plugin's: on tibia and menisci, and on a converted joint."""
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from harness.report import plot_file
+from harness.models.interface import InterfaceType
+from harness.report import history, plot_file
 from harness.report.plot_file import PlotFile
-from harness.run.runner import RunResult
+from harness.run.runner import Runner, RunResult
 from studies.knees.compared_knees import fluid_share, under_femur
 from studies.knees.knee_run import KneeRun
+from studies.models.kept_models import joint_before
 from studies.post import side_by_side
 from studies.post.side_by_side import Shown
 
+CONVERTED = "joint-converted.png"
+"""The picture of a joint before and after its conversion."""
+_INTO_SOCKET = ((-24.0, -14.0, 26.0), (0.0, 0.0, -6.0), (0.0, 0.0, 1.0))
+"""The eye looks into the socket from above (mm)."""
 Done = tuple[KneeRun, RunResult]
 FACTORS = (0.0, 10.0)
 """Of the penalties of the runs that are drawn: the plugin's defaults, and ten times FEBio's automatic penalties."""
@@ -51,6 +56,10 @@ def draw(runs: Sequence[Done], path: Path) -> Path:
     side_by_side.draw(figure, axes[: len(shown)], seen, _CAMERA)
     if porous:
         _draw_shares(axes[-1], plots, [run for run, _ in shown])
+    return _save(figure, path)
+
+
+def _save(figure: Figure, path: Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, dpi=110, bbox_inches="tight", pad_inches=0.05, pil_kwargs={"optimize": True})
     return path
@@ -66,3 +75,20 @@ def _draw_shares(axes: Axes, plots: Sequence[PlotFile], runs: Sequence[KneeRun])
     axes.set_ylim(bottom=0.0)
     axes.grid(alpha=0.3)
     axes.legend()
+
+
+def draw_converted(runner: Runner, folder: Path) -> Path:
+    """Run the joint with FEBio's interface and as converted without penalties, and draw the last states."""
+    before = joint_before()
+    (contact,) = before.contacts
+    ours = replace(contact, kind=InterfaceType.MIXTURE.value, params=())
+    shown = []
+    for title, model in (
+        ("before: sliding-elastic", before),
+        ("after: sliding-mixture", replace(before, name="joint-after", contacts=(ours,))),
+    ):
+        plot = plot_file.read(runner(model).folder / f"{model.name}.xplt")
+        shown.append(Shown(title, plot, [each for each in history.contacts(plot) if "socket" in each.surface.name]))
+    figure = Figure(figsize=(10.0, 3.9), layout="constrained")
+    side_by_side.draw(figure, figure.subplots(1, 2), shown, _INTO_SOCKET)
+    return _save(figure, folder / CONVERTED)

@@ -1,7 +1,5 @@
 """A row of docs/data/knee.csv, and of the results of porous knees."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from enum import Enum
@@ -28,59 +26,43 @@ class Way(str, Enum):
 
 @dataclass(frozen=True)
 class KneeRun:
-    """One run, and what passes each compartment at the time of the largest force, or at its end.
-
-    Attributes
-    ----------
-    bodies, load, size : str
-    contact : str
-        Type of the six contacts.
-    factor : float
-        Of FEBio's automatic penalties; 0 for the plugin's defaults.
-    ended, limited : bool
-        Whether it ended normally, and whether the limit of processor time ended it.
-    reached : float
-        Last time with a solution, s.
-    seconds, memory : float
-        Processor time, s, and the largest memory, MB.
-    force_medial, force_lateral : float
-        On the femur, N.
-    area_medial, area_lateral : float
-        Of tibia and meniscus under the femur, mm^2.
-    peak_medial, peak_lateral : float
-        Largest mean pressure of a facet, MPa.
-    overlap : float
-        Largest mean overlap of a facet under pressure, mm.
-    fluid_most, fluid_last : float
-        Part of the load that the fluid bears where the femur is in contact, largest and last, while the load is above
-        half of its largest.
-    appeared : float
-        Solute that appeared at nodes which nothing feeds, over the content at the end.
-    """
+    """One run, and what passes each compartment at the time of the largest force, or at its end."""
 
     bodies: str
     load: str
     size: str
     contact: str
+    """Type of the six contacts."""
     factor: float
+    """Of FEBio's automatic penalties; 0 for the plugin's defaults."""
     ended: bool
     limited: bool
+    """Whether it ended normally, and whether the limit of processor time ended it."""
     reached: float
+    """Last time with a solution, s."""
     steps: int
     iterations: int
     retries: int
     seconds: float
     memory: float
+    """Processor time, s, and the largest memory, MB."""
     force_medial: float = math.nan
     force_lateral: float = math.nan
+    """On the femur, N."""
     area_medial: float = math.nan
     area_lateral: float = math.nan
+    """Of tibia and meniscus under the femur, mm^2."""
     peak_medial: float = math.nan
     peak_lateral: float = math.nan
+    """Largest mean pressure of a facet, MPa."""
     overlap: float = math.nan
+    """Largest mean overlap of a facet under pressure, mm."""
     fluid_most: float = math.nan
     fluid_last: float = math.nan
+    """Part of the load that the fluid bears where the femur is in contact, largest and last, while the load is above
+    half of its largest."""
     appeared: float = math.nan
+    """Solute that appeared at nodes which nothing feeds, over the content at the end."""
 
     @property
     def scene(self) -> tuple[str, str, str]:

@@ -1,7 +1,5 @@
 """The page of the elastic knee, that of its runs, and tables of knees of all kinds."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -102,12 +100,9 @@ def table(runs: Sequence[KneeRun]) -> str:
     rows = []
     for run in runs:
         counts = (run.steps, run.iterations, run.retries, f"{run.seconds:.0f}", f"{run.memory:.0f}")
-        rows.append((*_name(run), _outcome(run), f"{run.reached:.3g}", *counts))
+        outcome = "yes" if run.ended else "no, at the limit of time" if run.limited else "no"
+        rows.append((*_name(run), outcome, f"{run.reached:.3g}", *counts))
     return tables.markdown(("knee", "contact", *heads), rows)
-
-
-def _outcome(run: KneeRun) -> str:
-    return "yes" if run.ended else "no, at the limit of time" if run.limited else "no"
 
 
 def compartments(runs: Sequence[KneeRun]) -> str:

@@ -1,7 +1,5 @@
 """The command `linear-solvers`."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated

@@ -1,7 +1,5 @@
 """Several bodies of hexahedra in one mesh, with sets and surfaces chosen by position."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import log
@@ -106,6 +104,13 @@ def refined(even: float, size: float, length: float, ratio: float) -> NDArray[np
 def box(low: Sequence[float], high: Sequence[float], elements: Sequence[int]) -> Body:
     """A box between two corners (mm)."""
     return tensor([np.linspace(a, b, n + 1) for a, b, n in zip(low, high, elements, strict=True)])
+
+
+def raised(body: Body, axis: str, rise: Callable[[Points], NDArray[np.float64]]) -> Body:
+    """The same body with its nodes moved along an axis by a function (mm) of their positions."""
+    nodes = body.nodes.copy()
+    nodes[:, "xyz".index(axis)] += rise(nodes)
+    return Body(nodes, body.elements)
 
 
 def tensor(lines: Sequence[NDArray[np.float64]]) -> Body:

@@ -1,7 +1,5 @@
 """A joint in its simplest shape: two layers on rigid bone, a ball and its socket, pressed together and slid."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +14,6 @@ from harness.models.parts import (
     Control,
     Curve,
     Elastic,
-    Material,
     Mixture,
     Param,
     Solid,
@@ -44,68 +41,45 @@ A ball in its socket: two layers of {material} with a thickness of 2 mm cover ri
 
 @dataclass(frozen=True)
 class BallInSocket:
-    """Choices of the scene.
-
-    Attributes
-    ----------
-    elements : int
-        Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more.
-    quadratic : bool
-        Tetrahedra of ten nodes.
-    porous : bool
-        Biphasic layers, wet where they are not in contact.
-    slides : bool
-    updates : int
-        Quasi-Newton updates (BFGS) between two matrices.
-    primary : str
-        Surface that the contact integrates over: ``ball`` or ``socket``.
-    contact : str
-        Type of the contact.
-    params : tuple of Param
-        Of the contact.
-    steps : int
-        Time steps to press, and as many to slide.
-    plot : bool
-        With a plot file.
-    """
-
     elements: int = 8
+    """Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more."""
     quadratic: bool = False
+    """Tetrahedra of ten nodes."""
     porous: bool = False
+    """Biphasic layers, wet where they are not in contact."""
     slides: bool = True
     updates: int = 0
+    """Quasi-Newton updates (BFGS) between two matrices."""
     primary: str = "ball"
+    """Surface that the contact integrates over: ``ball`` or ``socket``."""
     contact: str = InterfaceType.MIXTURE.value
+    """Type of the contact."""
     params: tuple[Param, ...] = ()
+    """Of the contact."""
     steps: int = 10
+    """Time steps to press, and as many to slide."""
     name: str = "ball-in-socket"
     plot: bool = False
+    """With a plot file."""
 
     def model(self) -> Model:
-        """The model of these choices."""
-        mesh, material = self._mesh(), self._material()
+        material = Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
+        stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
+        steps = (2 if self.slides else 1) * self.steps
         interface = InterfaceType.ours_in([self.contact])
         what = "biphasic tissue" if self.porous else "elastic tissue"
         return Model(
             self.name,
             header(self.name, ABOUT.format(material=what, pressed=PRESSED, slid=SLID if self.slides else 0), interface),
             "biphasic" if self.porous else "solid",
-            mesh,
+            self._mesh(),
             {"ball": material, "socket": material},
             self._conditions(),
-            self._control(),
+            Control(steps, 1.0, reformations=25, stepper=stepper, updates=self.updates),
             (Contact(self.contact, "joint", self.params),),
             (Curve(((0.0, 0.0), (self.steps, 1.0))), Curve(((self.steps, 0.0), (2.0 * self.steps, 1.0)))),
             plot=self.plot,
         )
-
-    def _control(self) -> Control:
-        steps = (2 if self.slides else 1) * self.steps
-        stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
-        return Control(steps, 1.0, reformations=25, stepper=stepper, updates=self.updates)
-
-    def _material(self) -> Material:
-        return Mixture(SOLID, PERMEABILITY) if self.porous else Elastic(SOLID)
 
     def _conditions(self) -> tuple[Condition, ...]:
         held = (*hold("socket-bone", "xyz"), *hold("ball-bone", "y" if self.slides else "xy"))

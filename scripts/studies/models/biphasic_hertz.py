@@ -1,7 +1,5 @@
 """Two thin biphasic layers on bone, one flat and one of large radius, pressed together by a force."""
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from math import pi
@@ -12,14 +10,14 @@ from numpy.typing import NDArray
 
 from harness.arrays import Ids
 from harness.models import blocks
-from harness.models.blocks import Body, Points
+from harness.models.blocks import Points
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh, Part
 from harness.models.parts import Control, Curve, Mixture, Param, Rigid, Solid, TimeStepper, fix, hold_rigid, push_rigid
 from studies.closed_forms import biphasic_layers
 from studies.closed_forms.biphasic_layers import Shape
-from studies.models.assembly import NEAR, Chosen, assembled, everywhere, graded, plane
+from studies.models.assembly import NEAR, Chosen, assembled, everywhere, graded, plane, raised
 
 THICKNESS = 1.0
 """Of each layer, mm."""
@@ -55,19 +53,13 @@ The closed form takes the layers for thin: the contact's {size} is 80 times thei
 
 @dataclass(frozen=True)
 class BiphasicHertz(ABC):
-    """What lines and spheres share.
-
-    Attributes
-    ----------
-    draining : bool
-        Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable.
-    across, through : int
-        Elements along the modelled half-width or radius and through each layer.
-    """
+    """What lines and spheres share."""
 
     draining: bool = False
+    """Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable."""
     across: int = 72
     through: int = 3
+    """Elements along the modelled half-width or radius and through each layer."""
     name: str = "biphasic-hertz"
 
     shape: ClassVar[Shape]
@@ -118,7 +110,6 @@ class BiphasicHertz(ABC):
         return Curve(((0.0, 0.0), (ramp, force), (end, force)))
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         conditions = (
             *(fix(nodes, axes) for nodes, axes in self.held),
@@ -166,7 +157,13 @@ class BiphasicHertz(ABC):
             "lower-cartilage": plane("y", 0.0, "lower"),
             "upper-cartilage": Chosen("upper", lambda x: np.asarray(np.abs(x[..., 1] - self._rise(x)) < NEAR)),
         }
-        bodies = {"lower": self._lower(), "upper": self._upper()}
+        heights = np.linspace(0.0, THICKNESS, self.through + 1)
+        # The upper body is cartilage and one layer of bone, and overlaps the lower layer at first.
+        upper = blocks.structured(self._points(np.append(heights, 1.5 * THICKNESS)))
+        bodies = {
+            "lower": blocks.structured(self._points(np.linspace(0.0, -THICKNESS, self.through + 1))),
+            "upper": raised(upper, "y", self._rise),
+        }
         return self._with_bone(assembled(bodies, sets, surfaces, {"joint": ("lower-cartilage", "upper-cartilage")}))
 
     def _with_bone(self, mesh: Mesh) -> Mesh:
@@ -181,16 +178,6 @@ class BiphasicHertz(ABC):
         }
         parts = (lower, Part("upper", "upper", columns[:, :-1].reshape(-1, 8)), Part("bone", "bone", bone))
         return replace(mesh, parts=parts, node_sets=sets)
-
-    def _lower(self) -> Body:
-        return blocks.structured(self._points(np.linspace(0.0, -THICKNESS, self.through + 1)))
-
-    def _upper(self) -> Body:
-        """Cartilage and one layer of bone, overlapping the lower layer at first."""
-        heights = np.append(np.linspace(0.0, THICKNESS, self.through + 1), 1.5 * THICKNESS)
-        points = self._points(heights)
-        points[..., 1] += self._rise(points)
-        return blocks.structured(points)
 
     def _rise(self, x: Points) -> NDArray[np.float64]:
         """Height (mm) of the upper cartilage's surface."""
@@ -227,15 +214,10 @@ class BiphasicLine(BiphasicHertz):
 
 @dataclass(frozen=True)
 class BiphasicSphere(BiphasicHertz):
-    """Contact over a circle: a quarter of it.
-
-    Attributes
-    ----------
-    around : int
-        Elements around the quarter.
-    """
+    """Contact over a circle: a quarter of it."""
 
     around: int = 4
+    """Elements around the quarter."""
     name: str = "biphasic-hertz-sphere"
 
     shape = Shape.SPHERE

@@ -1,7 +1,5 @@
 """Two concentric spherical shells pressed between rigid planes: the inner one buckles."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,28 +28,16 @@ of symmetry."""
 
 @dataclass(frozen=True)
 class ConcentricSpheres:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    friction : float
-        Coefficient between the shells.
-    elements : int
-        Of the outer shell along each edge of a patch, of which the octant has three; the inner shell has one less.
-    through : int
-        Elements through each shell.
-    steps : int
-    name : str
-    """
-
     friction: float = 0.5
+    """Coefficient between the shells."""
     elements: int = 8
+    """Of the outer shell along each edge of a patch, of which the octant has three; the inner shell has one less."""
     through: int = 3
+    """Elements through each shell."""
     steps: int = 90
     name: str = "concentric-spheres"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh, end = self._mesh(), float(self.steps)
         stepper = TimeStepper(1.0, retries=10, optimal_iterations=15, aggressive=True)
         return Model(

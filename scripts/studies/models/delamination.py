@@ -1,7 +1,5 @@
 """Gallery: a layer of cartilage that shear delaminates from the bone, with fluid in the crack."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.models.document import Model
@@ -54,7 +52,7 @@ CONTROL = Control(
     DURATION / 60,
     displacement_tolerance=1e-6,
     reformations=150,
-    solver=(*UNCLAMPED.solver, Param("lstol", 0.0)),
+    solver=(*UNCLAMPED, Param("lstol", 0.0)),
 )
 
 ABOUT = """\
@@ -71,27 +69,16 @@ impermeable."""
 
 @dataclass(frozen=True)
 class Delamination:
-    """Choices of the delamination.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings
-    along, up : tuple of int
-        Elements of the layer and of the bone along their length and over their height.
-    control : Control
-    """
-
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = TIE
     along: tuple[int, int] = (48, 24)
     up: tuple[int, int] = (4, 2)
+    """Elements of the layer and of the bone along their length and over their height."""
     control: Control = CONTROL
     name: str = "delamination"
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         baths = ("layer-top", "layer-left")
         conditions = (
@@ -107,7 +94,7 @@ class Delamination:
         return Model(
             self.name,
             header(self.name, ABOUT, self.interface),
-            UNCLAMPED.module,
+            "multiphasic",
             mesh,
             {"layer": CARTILAGE, "bone": BONE},
             conditions,

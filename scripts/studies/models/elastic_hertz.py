@@ -1,7 +1,5 @@
 """A sphere pressed on a block of the same material, without friction: Hertz's contact over a circle."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +10,7 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
-from studies.models.assembly import NEAR, Chosen, assembled, plane, refined, tensor
+from studies.models.assembly import NEAR, Chosen, assembled, plane, raised, refined, tensor
 from studies.models.pieces import hold
 
 RADIUS = 10.0
@@ -38,20 +36,11 @@ By symmetry a quarter is modelled, within ten radii of the contact."""
 
 @dataclass(frozen=True)
 class ElasticHertz:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    elements : int
-        Over the radius of the contact.
-    name : str
-    """
-
     elements: int = 5
+    """Over the radius of the contact."""
     name: str = "elastic-hertz"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         return Model(
             self.name,
@@ -85,7 +74,9 @@ class ElasticHertz:
             "block": Chosen("block", lambda x: _near(x) & (np.abs(x[..., 2]) < NEAR)),
             "sphere": Chosen("sphere", lambda x: _near(x) & (np.abs(x[..., 2] - _profile(x)) < NEAR)),
         }
-        bodies = {"block": self._box(-1.0), "sphere": _rounded(self._box(1.0))}
+        # The lower face of the sphere is round; its top stays.
+        sphere = raised(self._box(1.0), "z", lambda x: _profile(x) * (1.0 - x[..., 2] / SIZE))
+        bodies = {"block": self._box(-1.0), "sphere": sphere}
         return assembled(bodies, sets, surfaces, {"contact": ("sphere", "block")})
 
     def _box(self, up: float) -> Body:
@@ -98,13 +89,6 @@ class ElasticHertz:
 def _profile(x: Points) -> NDArray[np.float64]:
     """Height of the sphere over the block at first touch, mm."""
     return np.asarray((x[..., 0] ** 2 + x[..., 1] ** 2) / (2.0 * RADIUS))
-
-
-def _rounded(body: Body) -> Body:
-    """A box whose lower face follows the sphere; its top stays."""
-    nodes = body.nodes.copy()
-    nodes[:, 2] += _profile(nodes) * (1.0 - nodes[:, 2] / SIZE)
-    return Body(nodes, body.elements)
 
 
 def _outside(x: Points) -> NDArray[np.bool_]:

@@ -1,7 +1,5 @@
 """Gallery: a graft in a cylindrical defect of cartilage, fed by the host across the wall."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -60,25 +58,15 @@ bone below is impermeable, and no load acts on the top. By symmetry, the model c
 
 @dataclass(frozen=True)
 class Graft:
-    """Choices of the graft.
-
-    Attributes
-    ----------
-    around : int
-        Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many.
-    outward, up : int
-        Elements of the host from the wall outwards, and of both bodies over the height.
-    control : Control
-    """
-
     around: int = 4
+    """Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many."""
     outward: int = 7
     up: int = 5
+    """Elements of the host from the wall outwards, and of both bodies over the height."""
     control: Control = Control(60, 50.0)
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         settings = ContactSettings(extra=ambient(AMBIENT_PRESSURE, CONCENTRATION))
         conditions = (
@@ -94,11 +82,11 @@ class Graft:
         return Model(
             "graft",
             header("graft", ABOUT, InterfaceType.MIXTURE),
-            UNCLAMPED.module,
+            "multiphasic",
             mesh,
             {"host": HOST, "graft": GRAFT},
             conditions,
-            replace(self.control, solver=UNCLAMPED.solver),
+            replace(self.control, solver=UNCLAMPED),
             contacts(InterfaceType.MIXTURE, mesh, settings),
             plot=self.plot,
         )
@@ -117,18 +105,13 @@ class Graft:
             "wall": cylinder(DEFECT, "host"),
             "graft-side": cylinder(DEFECT + PRESS_FIT, "graft"),
         }
-        bodies = {"host": self._host(), "graft": self._graft()}
+        heights = [HEIGHT * level / self.up for level in range(self.up + 1)]
+        bodies = {"host": self._host(heights), "graft": disk(DEFECT + PRESS_FIT, self.around, heights)}
         return assembled(bodies, node_sets, surfaces, {"wall": ("graft-side", "wall")})
 
-    def _heights(self) -> list[float]:
-        return [HEIGHT * level / self.up for level in range(self.up + 1)]
-
-    def _host(self) -> Body:
+    def _host(self, heights: list[float]) -> Body:
         """A quarter ring, with as many facets on the wall as the graft has on its side."""
         radius = DEFECT + graded(OUTER - DEFECT, self.outward, GROWTH)
         angle = np.linspace(0.0, np.pi / 2, 2 * self.around + 1)
-        r, a, z = np.meshgrid(radius, angle, self._heights(), indexing="ij")
+        r, a, z = np.meshgrid(radius, angle, heights, indexing="ij")
         return blocks.structured(np.stack([r * np.cos(a), r * np.sin(a), z], axis=-1))
-
-    def _graft(self) -> Body:
-        return disk(DEFECT + PRESS_FIT, self.around, self._heights())

@@ -1,24 +1,20 @@
 """Gallery: a section of a joint under cyclic load, with solute from the synovial fluid or from one of its layers."""
 
-from __future__ import annotations
-
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 from numpy.typing import NDArray
 
-from harness.models import blocks
-from harness.models.blocks import Body, Points
+from harness.models.blocks import Points
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import (
-    Condition,
     Control,
     Curve,
     Mixture,
-    Param,
     Solid,
     Solute,
     displace,
@@ -27,7 +23,7 @@ from harness.models.parts import (
     initial_concentration,
     initial_pressure,
 )
-from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane
+from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, raised, tensor
 from studies.models.pieces import UNCLAMPED, ambient
 
 RADIUS = 15.0
@@ -85,90 +81,45 @@ class Source(Enum):
 
 @dataclass(frozen=True)
 class Joint:
-    """Choices of the joint section.
-
-    Attributes
-    ----------
-    cycles : int
-    across, through : int
-        Elements along the half-width and through the thickness of each layer.
-    source : Source
-    """
-
     cycles: int = 10
     across: int = 24
     through: int = 8
+    """Elements along the half-width and through the thickness of each layer."""
     source: Source = Source.FLUID
     name: str = "joint"
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
-        mesh = self._mesh()
+        mesh, wet = self._mesh(), self.source is Source.FLUID
+        filled = (initial_pressure("upper", EFFECTIVE_PRESSURE), initial_concentration("upper", AMBIENT))
         conditions = (
             fix("all", "z"),
             fix("lower-bone", "xy"),
             fix("upper-bone", "x"),
             fix("symmetry", "x"),
             displace("upper-bone", "y", -MOST, LOADING),
-            *self._filled(),
+            *(() if wet else filled),
         )
-        settings = ContactSettings(extra=self._outside())
+        outside = ambient(EFFECTIVE_PRESSURE, AMBIENT, FILLING) if wet else ambient(0.0, 0.0)
         return Model(
             self.name,
             header(self.name, self.source.value, InterfaceType.MIXTURE),
-            UNCLAMPED.module,
+            "multiphasic",
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
             conditions,
-            Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED.solver),
-            contacts(InterfaceType.MIXTURE, mesh, settings),
-            self._curves(),
+            Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED),
+            contacts(InterfaceType.MIXTURE, mesh, ContactSettings(extra=outside)),
+            (self._loading(), *([Curve(((0.0, 0.0), (PERIOD, 1.0)))] if wet else [])),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),
         )
 
-    def _curves(self) -> tuple[Curve, ...]:
-        """The load curves that the model refers to."""
-        filling = (Curve(((0.0, 0.0), (PERIOD, 1.0))),) if self.source is Source.FLUID else ()
-        return self._loading(), *filling
-
-    def _filled(self) -> tuple[Condition, ...]:
-        """What the layers hold at first."""
-        if self.source is Source.FLUID:
-            return ()
-        return initial_pressure("upper", EFFECTIVE_PRESSURE), initial_concentration("upper", AMBIENT)
-
-    def _outside(self) -> tuple[Param, ...]:
-        """Ambient values: those of a fluid that fills with solute, or of one without."""
-        return ambient(EFFECTIVE_PRESSURE, AMBIENT, FILLING) if self.source is Source.FLUID else ambient(0.0, 0.0)
-
     def _mesh(self) -> Mesh:
-        """Both layers; the surfaces of the joint touch at x = 0."""
-        node_sets = {
-            "all": everywhere(),
-            "symmetry": plane("x", 0.0),
-            "lower-bone": plane("y", -THICKNESS, "lower"),
-            "upper-bone": Chosen("upper", above(THICKNESS)),
-            **({} if self.source is Source.FLUID else {"upper": everywhere("upper")}),
-        }
-        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", above(0.0))}
-        bodies = {"lower": self._lower(), "upper": self._upper()}
-        return assembled(bodies, node_sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})
-
-    def _lower(self) -> Body:
-        return blocks.structured(self._grid("lower") * np.array([1.0, -1.0, 1.0]))
-
-    def _upper(self) -> Body:
-        points = self._grid("upper")
-        points[..., 1] += rise(points)
-        return blocks.structured(points)
-
-    def _grid(self, layer: str) -> Points:
-        """Nodes of a flat layer; its elements grow with the distance y from the surface of the joint."""
-        x = np.linspace(0.0, HALF_WIDTHS[layer], self.across + 1)
-        y = graded(THICKNESS, self.through, GROWTH)
-        return np.stack(np.meshgrid(x, y, [0.0, DEPTH], indexing="ij"), axis=-1)
+        x = {layer: np.linspace(0.0, width, self.across + 1) for layer, width in HALF_WIDTHS.items()}
+        symmetry = {"symmetry": plane("x", 0.0)}
+        upper = {} if self.source is Source.FLUID else {"upper": everywhere("upper")}
+        return touching(x, self.through, GROWTH, {"all": everywhere(), **symmetry, **BONES, **upper})
 
     def _loading(self) -> Curve:
         """Approach of the bone, relative to `MOST`: from 0 to the least in half a cycle, then up and down."""
@@ -185,3 +136,20 @@ def rise(points: Points) -> NDArray[np.float64]:
 def above(height: float) -> Inside:
     """Positions at a height (mm) over the surface of the upper cartilage."""
     return lambda x: np.asarray(np.abs(x[..., 1] - rise(x) - height) < NEAR)
+
+
+BONES = {"lower-bone": plane("y", -THICKNESS, "lower"), "upper-bone": Chosen("upper", above(THICKNESS))}
+"""Node sets of every section of a joint."""
+
+
+def touching(
+    x: Mapping[str, NDArray[np.float64]], through: int, growth: float, node_sets: Mapping[str, Chosen]
+) -> Mesh:
+    """Both layers with nodes at positions `x` (mm); they touch at x = 0, and their elements grow away from there."""
+    height = graded(THICKNESS, through, growth)
+    lower, upper = (
+        tensor([x[name], up * height, np.array([0.0, DEPTH])]) for name, up in (("lower", -1), ("upper", 1))
+    )
+    surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", above(0.0))}
+    bodies = {"lower": lower, "upper": raised(upper, "y", rise)}
+    return assembled(bodies, node_sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})

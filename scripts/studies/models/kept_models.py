@@ -1,13 +1,12 @@
 """The models that stand in models/ for a user to open, run and copy; `pages` writes them there."""
 
-from __future__ import annotations
-
 from harness.models.composite import Composite
 from harness.models.confined import Confined
 from harness.models.convection import PRESSURES, Convection
 from harness.models.diffusion import Diffusion
 from harness.models.document import Model
 from harness.models.indentation import Indentation
+from harness.models.indentation_mesh import Grid
 from harness.models.interface import InterfaceType
 from harness.models.layers import Layers
 from harness.models.parts import Control, Param
@@ -21,6 +20,8 @@ from studies.models.platens import Platens
 from studies.models.plug import Plug
 from studies.models.sliding_joint import SlidingJoint
 
+LEVELS = (Grid(across=9, down=6, around=3), Grid(), Grid(across=36, down=24, around=12))
+"""Meshes of problem 3.3, each with half the element size of the one before."""
 INDENTATION = Indentation(module="multiphasic", clamp=False, plot=True)
 JOINT = Joint(plot=True)
 JOINT_RELEASE = Joint(source=Source.UPPER, name="joint-release", plot=True)

@@ -1,7 +1,5 @@
 """Two layers with a membrane between them, which solvent and solute cross."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -53,22 +51,13 @@ def film_params(film: Film, **sol: str) -> tuple[Param, ...]:
 
 @dataclass(frozen=True)
 class Membrane(Layered):
-    """Choices of the model.
-
-    Attributes
-    ----------
-    film : Film
-    faces : Faces
-    enforcement : tuple of Param
-        Further parameters of the contact.
-    """
-
     elements: int = 40
     control: Control = Control(60, 2e4)
     name: str = "membrane"
     film: Film = FILM
     faces: Faces = FACES
     enforcement: tuple[Param, ...] = ()
+    """Further parameters of the contact."""
 
     ABOUT = ABOUT
     MATERIALS: ClassVar = {

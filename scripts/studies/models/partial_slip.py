@@ -1,7 +1,5 @@
 """A cylinder pressed on a block of the same material and pushed sideways: stick in the middle, slip at the edges."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import log
@@ -14,7 +12,7 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
 from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
-from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, refined, tensor
+from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, raised, refined, tensor
 from studies.models.pieces import hold, with_friction
 
 Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]
@@ -50,23 +48,13 @@ A cylinder of radius 10 mm on a block, the same material, pressed and then pushe
 
 @dataclass(frozen=True)
 class PartialSlip:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    elements : int
-        Over half the width of the contact.
-    settings : ContactSettings, optional
-        Default settings with friction without it.
-    name : str
-    """
-
     elements: int = 10
+    """Over half the width of the contact."""
     settings: ContactSettings | None = None
+    """Default settings with friction without it."""
     name: str = "partial-slip"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         steps = PRESSING + SHEARING
         press = Curve(((0.0, 0.0), (float(PRESSING), 1.0)))
@@ -101,7 +89,9 @@ class PartialSlip:
             "block": Chosen("block", _near_contact(np.zeros_like)),
             "cylinder": Chosen("cylinder", _near_contact(_profile)),
         }
-        bodies = {"block": self._block(-1.0), "cylinder": _rounded(self._block(1.0))}
+        # The lower face of the cylinder is round; its top stays.
+        cylinder = raised(self._block(1.0), "z", lambda x: _profile(x[..., 0]) * (1.0 - x[..., 2] / SIZE))
+        bodies = {"block": self._block(-1.0), "cylinder": cylinder}
         return assembled(bodies, sets, surfaces, {"contact": ("cylinder", "block")})
 
     def _block(self, up: float) -> Body:
@@ -115,13 +105,6 @@ class PartialSlip:
 def _profile(x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Height of the cylinder over the block at first touch, mm."""
     return np.asarray(x**2 / (2.0 * RADIUS))
-
-
-def _rounded(body: Body) -> Body:
-    """A box whose lower face follows the cylinder; its top stays."""
-    nodes = body.nodes.copy()
-    nodes[:, 2] += _profile(nodes[:, 0]) * (1.0 - nodes[:, 2] / SIZE)
-    return Body(nodes, body.elements)
 
 
 def _outside(x: NDArray[np.float64]) -> NDArray[np.bool_]:

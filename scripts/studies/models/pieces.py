@@ -1,9 +1,7 @@
 """Pieces of the models of studies."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,16 +17,8 @@ PREDICTOR = Param("predictor", True)
 """Turns the plugin's predictor on."""
 
 
-@dataclass(frozen=True)
-class Solver:
-    """A module of FEBio for models with solutes, and further parameters of its solver."""
-
-    module: str
-    solver: tuple[Param, ...] = ()
-
-
-UNCLAMPED = Solver("multiphasic", (Param("force_positive_concentrations", False),))
-"""Concentrations may undershoot; FEBio's module 'solute' always sets negative ones to zero."""
+UNCLAMPED = (Param("force_positive_concentrations", False),)
+"""Of the solver `multiphasic`: concentrations may undershoot; the solver `solute` always sets negative ones to zero."""
 
 
 def hold(where: str, axes: str) -> tuple[Condition, ...]:

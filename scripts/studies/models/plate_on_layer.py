@@ -1,7 +1,5 @@
 """A cartilage layer that drains under a sliding plate: friction grows as the fluid bears less of the load."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,23 +54,13 @@ The effective friction coefficient grows from phi mu_eq to mu_eq within about h^
 
 @dataclass(frozen=True)
 class PlateOnLayer:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    solid_fraction : float
-        phi, the fraction of the contact that is solid on solid.
-    layer_is_primary : bool
-    name : str
-    """
-
     solid_fraction: float = 0.1
+    """phi, the fraction of the contact that is solid on solid."""
     layer_is_primary: bool = True
     name: str = "plate-on-layer"
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
         load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))

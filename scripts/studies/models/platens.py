@@ -1,7 +1,5 @@
 """Gallery: confined compression between a permeable and an impermeable platen."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.models.document import Model
@@ -48,21 +46,12 @@ the lower contact transmits traction alone."""
 
 @dataclass(frozen=True)
 class Platens:
-    """Choices of the compression test.
-
-    Attributes
-    ----------
-    elements : int
-        Through the sample; a platen has a fifth of it.
-    control : Control
-    """
-
     elements: int = 20
+    """Through the sample; a platen has a fifth of it."""
     control: Control = Control(120, 25.0)
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         few = max(1, self.elements // 5)
         layers = [
             Layer("impermeable", "steel", PLATEN, few),

@@ -1,7 +1,5 @@
 """Gallery: an osteochondral plug whose cartilage is tied on a bone with a coarser mesh."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -55,27 +53,16 @@ impermeable. By symmetry, the model contains a quarter of both bodies."""
 
 @dataclass(frozen=True)
 class Plug:
-    """Choices of the plug.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings
-    around, up : tuple of int
-        Elements of the cartilage and of the bone: of each block of the O-grid along each edge, and over the height.
-    control : Control
-    """
-
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = ContactSettings()
     around: tuple[int, int] = (4, 3)
     up: tuple[int, int] = (8, 4)
+    """Elements of the cartilage and of the bone: of each block of the O-grid along each edge, and over the height."""
     control: Control = Control(60, 100.0)
     name: str = "plug"
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         conditions = (
             fix("symmetry-x", "x"),
@@ -89,11 +76,11 @@ class Plug:
         return Model(
             self.name,
             header(self.name, ABOUT, self.interface),
-            UNCLAMPED.module,
+            "multiphasic",
             mesh,
             {"cartilage": CARTILAGE, "bone": BONE},
             conditions,
-            replace(self.control, solver=UNCLAMPED.solver),
+            replace(self.control, solver=UNCLAMPED),
             contacts(self.interface, mesh, self.settings),
             (Curve(((0.0, 0.0), (RAMP, 1.0))),),
             plot=self.plot,

@@ -1,8 +1,7 @@
 """Two blocks of hexahedra with many facets that do not match, pressed together."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, header
@@ -22,42 +21,22 @@ Two elastic blocks of 1 mm x 1 mm x 1 mm, whose facets do not match. The top of 
 
 @dataclass(frozen=True)
 class PressedBlocks:
-    """Choices of the scene.
-
-    Attributes
-    ----------
-    lower, upper : int
-        Elements of the two blocks along x and y.
-    through : int
-        Elements through each block.
-    contact : str
-        Type of the contact.
-    params : tuple of Param
-        Of the contact.
-    steps : int
-        Time steps.
-    """
-
     lower: int = 50
     upper: int = 46
+    """Elements of the two blocks along x and y."""
     through: int = 6
+    """Elements through each block."""
     contact: str = InterfaceType.MIXTURE.value
+    """Type of the contact."""
     params: tuple[Param, ...] = ()
+    """Of the contact."""
     steps: int = 2
+    """Time steps."""
     name: str = "pressed-blocks"
-
-    @property
-    def primary(self) -> str:
-        """Surface that the contact integrates over."""
-        return PRIMARY
-
-    @property
-    def porous(self) -> bool:
-        """They are elastic."""
-        return False
+    primary: ClassVar[str] = PRIMARY
+    porous: ClassVar[bool] = False
 
     def model(self) -> Model:
-        """The model of these choices."""
         interface = InterfaceType.ours_in([self.contact])
         stepper = TimeStepper(1.0, retries=6, optimal_iterations=15)
         return Model(

@@ -1,7 +1,5 @@
 """Meshes of linear elements made quadratic: nodes in the middle of edges, and of faces and elements where asked for."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise

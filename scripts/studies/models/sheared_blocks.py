@@ -1,7 +1,5 @@
 """A block that is pressed and sheared, split in two: friction that sticks gives back the conforming reference."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum
 
@@ -9,7 +7,7 @@ from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, column, contacts, header
 from harness.models.mesh import Layer, Section
-from studies.models.pieces import with_friction
+from studies.models.pieces import UNCLAMPED, with_friction
 
 
 class Kind(str, Enum):
@@ -49,28 +47,16 @@ the same block in one piece. Both ends drain."""
 
 @dataclass(frozen=True)
 class ShearedBlocks:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    kind : Kind
-        ``elastic``, ``biphasic`` or ``biphasic-solute``.
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings with friction without it.
-    newton : float
-        Newton's relative tolerances.
-    name : str
-    """
-
     kind: Kind = Kind.ELASTIC
+    """``elastic``, ``biphasic`` or ``biphasic-solute``."""
     interface: InterfaceType = InterfaceType.MIXTURE
     settings: ContactSettings | None = None
+    """Default settings with friction without it."""
     newton: float = 1e-9
+    """Newton's relative tolerances."""
     name: str = "sheared-blocks"
 
     def model(self) -> Model:
-        """The model of these choices."""
         layers = [Layer(name, "block", THICKNESS[k], 2 + k) for k, name in enumerate(("lower", "upper"))]
         mesh = column(self.interface, layers, bottom=0.0, section=SECTION)
         settings = self.settings or (self.interface.is_contact and with_friction(self.interface, FRICTION)) or None
@@ -112,7 +98,7 @@ class ShearedBlocks:
         return (*held, *fluid, *dissolved)
 
     def _control(self, steps: int) -> parts.Control:
-        unclamped = (parts.Param("force_positive_concentrations", False),) if self.kind is Kind.SOLUTE else ()
+        unclamped = UNCLAMPED if self.kind is Kind.SOLUTE else ()
         return parts.Control(
             steps,
             STEP,

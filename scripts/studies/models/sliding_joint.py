@@ -1,26 +1,20 @@
 """Gallery: a section of a joint, cartilage on cartilage, pressed and then slid: stick and slip zones."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 
-from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
-from harness.models.mesh import Mesh
 from harness.models.parts import Curve, Mixture, Solid, displace, fix
-from studies.models.assembly import Chosen, assembled, everywhere, graded, plane, tensor
-from studies.models.joint import THICKNESS, above, rise
+from studies.models.assembly import everywhere
+from studies.models.joint import BONES, touching
 from studies.models.pieces import timed, with_friction
 
 HALF_WIDTHS = {"upper": 3.0, "lower": 3.6}
 """mm."""
 ACROSS, THROUGH = 48, 6
 """Elements along the width and through the thickness of each layer."""
-DEPTH = 0.25
-"""mm, thickness of the plane problem."""
 GROWTH = 1.3
 """Of the elements of a layer, from the surface of the joint to the bone."""
 APPROACH, WAY = 0.08, 0.06
@@ -49,8 +43,8 @@ class SlidingJoint:
     plot: bool = False
 
     def model(self) -> Model:
-        """The model of these choices."""
-        mesh = self._mesh()
+        x = {layer: np.linspace(-width, width, ACROSS + 1) for layer, width in HALF_WIDTHS.items()}
+        mesh = touching(x, THROUGH, GROWTH, {"all": everywhere(), **BONES})
         given = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=SOLID_FRACTION)
         press = Curve(((0.0, 0.0), (PRESSED, 1.0)))
         slide = Curve(((0.0, 0.0), (DRAINED, 0.0), (END, 1.0)))
@@ -77,22 +71,6 @@ class SlidingJoint:
             facet_columns=FACET_COLUMNS,
         )
 
-    def _mesh(self) -> Mesh:
-        """Both layers; the surfaces of the joint touch at x = 0."""
-        sets = {
-            "all": everywhere(),
-            "lower-bone": plane("y", -THICKNESS, "lower"),
-            "upper-bone": Chosen("upper", above(THICKNESS)),
-        }
-        surfaces = {"lower-cartilage": plane("y", 0.0, "lower"), "upper-cartilage": Chosen("upper", above(0.0))}
-        bodies = {"lower": self._layer("lower", -1.0), "upper": _raised(self._layer("upper", 1.0))}
-        return assembled(bodies, sets, surfaces, {"joint": ("upper-cartilage", "lower-cartilage")})
-
-    def _layer(self, name: str, up: float) -> Body:
-        """A flat layer above (1) or below (-1) y = 0."""
-        x = np.linspace(-HALF_WIDTHS[name], HALF_WIDTHS[name], ACROSS + 1)
-        return tensor([x, up * graded(THICKNESS, THROUGH, GROWTH), np.array([0.0, DEPTH])])
-
 
 def times() -> tuple[float, ...]:
     """Ends of the time steps, s."""
@@ -100,9 +78,3 @@ def times() -> tuple[float, ...]:
     draining = PRESSED * (DRAINED / PRESSED) ** (np.arange(1, DRAINING + 1) / DRAINING)
     sliding = np.linspace(DRAINED, END, SLIDING + 1)[1:]
     return tuple(np.concatenate([pressing, draining, sliding]).tolist())
-
-
-def _raised(body: Body) -> Body:
-    nodes = body.nodes.copy()
-    nodes[:, 1] += rise(nodes)
-    return Body(nodes, body.elements)

@@ -3,10 +3,9 @@
 What the builders of the harness have no words for. Numbers are in mm, N, s.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import count
 from pathlib import Path
 
 import numpy as np
@@ -20,8 +19,41 @@ SIDES = ("bottom", "top", "front", "right", "back", "left")
 """Names of a box's sides, in the order of `FACES`: -z, +z, -y, +x, +y, -x."""
 
 
-def _text(numbers: Iterable[float]) -> str:
+def listed(numbers: Iterable[float]) -> str:
+    """Numbers with commas between them, in 12 digits."""
     return ",".join(f"{number:.12g}" for number in numbers)
+
+
+def mesh_lines(
+    nodes: Iterable[Iterable[float]], groups: Iterable[tuple[str, str, Iterable[Iterable[int]]]]
+) -> list[str]:
+    """The first lines of <Mesh>: nodes, and elements by their type, name and node numbers; both are counted from 1."""
+    lines = ['<Mesh><Nodes name="all">']
+    lines += [f'<node id="{n}">{listed(point)}</node>' for n, point in enumerate(nodes, 1)]
+    lines.append("</Nodes>")
+    number = count(1)
+    for kind, name, elements in groups:
+        rows = (f'<elem id="{next(number)}">{listed(ids)}</elem>' for ids in elements)
+        lines += [f'<Elements type="{kind}" name="{name}">', *rows, "</Elements>"]
+    return lines
+
+
+def node_set(name: str, nodes: Iterable[int]) -> str:
+    """A node set."""
+    return f'<NodeSet name="{name}">{listed(nodes)}</NodeSet>'
+
+
+def surface_pair(name: str, primary: str, secondary: str) -> str:
+    """A pair of surfaces."""
+    return f'<SurfacePair name="{name}"><primary>{primary}</primary><secondary>{secondary}</secondary></SurfacePair>'
+
+
+def domain(name: str, material: str, thickness: float = 0.0) -> str:
+    """The domain of a group of elements, of shells with their thickness (mm)."""
+    if thickness:
+        inner = f"<shell_thickness>{thickness:g}</shell_thickness>"
+        return f'<ShellDomain name="{name}" mat="{material}">{inner}</ShellDomain>'
+    return f'<SolidDomain name="{name}" mat="{material}"/>'
 
 
 @dataclass
@@ -100,33 +132,14 @@ class Parts:
 
     def mesh(self, pairs: dict[str, tuple[str, str]]) -> str:
         """<Mesh> and <MeshDomains>, with these pairs of surfaces."""
-        lines = ['<Mesh><Nodes name="all">']
-        lines += [f'<node id="{n}">{_text(point)}</node>' for n, point in enumerate(self.nodes, 1)]
-        lines.append("</Nodes>")
-        number = 0
-        for part in self.parts:
-            lines.append(f'<Elements type="{part.element}" name="{part.name}">')
-            for ids in part.elements:
-                number += 1
-                lines.append(f'<elem id="{number}">{_text(ids)}</elem>')
-            lines.append("</Elements>")
-        for name, members in self.node_sets.items():
-            lines.append(f'<NodeSet name="{name}">{_text(members)}</NodeSet>')
+        lines = mesh_lines(self.nodes, [(part.element, part.name, part.elements) for part in self.parts])
+        lines += [node_set(name, members) for name, members in self.node_sets.items()]
         for name, facets in self.surfaces.items():
-            inner = "".join(f'<quad4 id="{n}">{_text(facet)}</quad4>' for n, facet in enumerate(facets, 1))
+            inner = "".join(f'<quad4 id="{n}">{listed(facet)}</quad4>' for n, facet in enumerate(facets, 1))
             lines.append(f'<Surface name="{name}">{inner}</Surface>')
-        for name, (one, two) in pairs.items():
-            lines.append(
-                f'<SurfacePair name="{name}"><primary>{one}</primary><secondary>{two}</secondary></SurfacePair>'
-            )
-        lines.append("</Mesh><MeshDomains>")
-        for part in self.parts:
-            if part.thickness > 0:
-                shell = f"<shell_thickness>{part.thickness:g}</shell_thickness>"
-                lines.append(f'<ShellDomain name="{part.name}" mat="{part.material}">{shell}</ShellDomain>')
-            else:
-                lines.append(f'<SolidDomain name="{part.name}" mat="{part.material}"/>')
-        return "\n".join([*lines, "</MeshDomains>"])
+        lines += [surface_pair(name, *sides) for name, sides in pairs.items()]
+        domains = [domain(part.name, part.material, part.thickness) for part in self.parts]
+        return "\n".join([*lines, "</Mesh><MeshDomains>", *domains, "</MeshDomains>"])
 
 
 def slotted_block(material: str) -> Parts:
@@ -187,42 +200,52 @@ def contact(name: str, pair: str, kind: str = "sliding-mixture", params: str = "
     return f'<contact name="{name}" type="{kind}" surface_pair="{pair}"{inner}'
 
 
-def erosion(criterion: str, surfaces: str = "yes", params: str = "") -> str:
-    """A mesh adaptor that erodes elements by a criterion; surfaces: no, yes (facets go with them) or grow."""
-    inner = f"<max_iters>1</max_iters><erode_surfaces>{surfaces}</erode_surfaces>{params}{criterion}"
-    return f'<mesh_adaptor type="erosion">{inner}</mesh_adaptor>'
+@dataclass(frozen=True)
+class Scheme:
+    """Steps and solver, as users give them."""
 
+    steps: int = 10
+    size: float = 0.1
+    """Number of steps and the size of one, s."""
+    analysis: str = ""
+    retries: int = 5
+    """How often a failed step is tried again; 0 for steps of fixed size."""
+    method: str = "BFGS"
+    updates: int = 0
+    """Of quasi-Newton updates between two matrices; FEBio's default is 10 of BFGS."""
+    symmetric: bool | None = False
+    """FEBio's default in the module `solid`, which other modules do not have; None keeps it."""
+    reformations: int = 25
 
-def these_elements(numbers: Iterable[int]) -> str:
-    """A criterion of a mesh adaptor: elements by their numbers."""
-    listed = ",".join(map(str, numbers))
-    return f'<criterion type="element_selection"><value>1</value><element_list>{listed}</element_list></criterion>'
+    def text(self, module: str) -> str:
+        """<Control>."""
+        analysis = self.analysis or ("STATIC" if module == "solid" else "TRANSIENT")
+        matrix = {None: "", True: "symmetric", False: "non-symmetric"}[self.symmetric]
+        stepper = (
+            f'<time_stepper type="default"><max_retries>{self.retries}</max_retries><opt_iter>15</opt_iter>'
+            f"<dtmin>0</dtmin><dtmax>{self.size:g}</dtmax></time_stepper>"
+        )
+        return (
+            f"<Control><analysis>{analysis}</analysis><time_steps>{self.steps}</time_steps>"
+            f"<step_size>{self.size:g}</step_size><plot_level>PLOT_NEVER</plot_level>{stepper if self.retries else ''}"
+            f'<solver type="{module}">'
+            + (f"<symmetric_stiffness>{matrix}</symmetric_stiffness>" if matrix else "")
+            + f"<max_refs>{self.reformations}</max_refs>"
+            f'<qn_method type="{self.method}"><max_ups>{self.updates}</max_ups></qn_method></solver></Control>'
+        )
 
 
 def control(module: str, steps: int, size: float, *, retries: int = 0, analysis: str = "STATIC") -> str:
     """Equal steps of full Newton iterations."""
-    stepper = (
-        f'<time_stepper type="default"><max_retries>{retries}</max_retries><opt_iter>15</opt_iter><dtmin>0</dtmin>'
-        f"<dtmax>{size}</dtmax></time_stepper>"
-        if retries
-        else ""
-    )
-    solver = (
-        f'<solver type="{module}"><symmetric_stiffness>non-symmetric</symmetric_stiffness><max_refs>25</max_refs>'
-        '<qn_method type="BFGS"><max_ups>0</max_ups></qn_method></solver>'
-    )
-    return (
-        f"<Control><analysis>{analysis}</analysis><time_steps>{steps}</time_steps><step_size>{size}</step_size>"
-        f"<plot_level>PLOT_NEVER</plot_level>{stepper}{solver}</Control>"
-    )
+    return Scheme(steps, size, analysis, retries).text(module)
 
 
-def curve(number: int, *points: tuple[float, float]) -> str:
-    """A load curve of straight lines."""
+def curve(number: int, *points: tuple[float, float], interpolate: str = "LINEAR") -> str:
+    """A load curve, of straight lines unless `interpolate` says otherwise."""
     inner = "".join(f"<pt>{t:g},{value:g}</pt>" for t, value in points)
     return (
-        f'<load_controller id="{number}" type="loadcurve"><interpolate>LINEAR</interpolate><extend>CONSTANT</extend>'
-        f"<points>{inner}</points></load_controller>"
+        f'<load_controller id="{number}" type="loadcurve"><interpolate>{interpolate}</interpolate>'
+        f"<extend>CONSTANT</extend><points>{inner}</points></load_controller>"
     )
 
 

@@ -1,7 +1,5 @@
 """Thick spherical shells of hexahedra, from patches of a cube around the centre: a hemisphere and an octant."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

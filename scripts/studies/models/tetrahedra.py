@@ -1,7 +1,5 @@
 """Hexahedra of any mesh cut into tetrahedra whose faces match."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from harness.arrays import Ids

@@ -1,13 +1,10 @@
 """A hollow hemisphere pressed into a block without friction, then turned on it with friction."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from harness.arrays import Array
-from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, default_settings, header
 from harness.models.mesh import Mesh
@@ -35,22 +32,12 @@ of Zimmerman and Ateshian (2018), J Biomech Eng 140(8):081013. The contact stick
 
 @dataclass(frozen=True)
 class TwistingHemisphere:
-    """Choices of this problem.
-
-    Attributes
-    ----------
-    elements : int
-        Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge.
-    interface : InterfaceType
-    name : str
-    """
-
     elements: int = 6
+    """Of the hemisphere along each edge of its lowest patch; even. The block has two more along each edge."""
     interface: InterfaceType = InterfaceType.MIXTURE
     name: str = "twisting-hemisphere"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh, moved, curves = driven(self._mesh(), self.times, motion)
         rubbing = Curve(((0.0, 0.0), (PRESSED, 0.0), (PRESSED + 1e-6, 1.0), (END, 1.0)))
         control, steps = timed(
@@ -79,18 +66,14 @@ class TwistingHemisphere:
 
     def _mesh(self) -> Mesh:
         n = self.elements + 2
+        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, 3))
         bodies = {
             "block": box((-SIDE / 2, -SIDE / 2, 0.0), (SIDE / 2, SIDE / 2, SIDE), (n, n, n)),
-            "hemisphere": self._hemisphere(),
+            "hemisphere": replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER])),
         }
         sets = {"base": plane("z", 0.0, "block"), "grip": plane("z", SIDE + OUTER, "hemisphere")}
         surfaces = {"block": plane("z", SIDE, "block"), "hemisphere": sphere(OUTER, "hemisphere", SIDE + OUTER)}
         return assembled(bodies, sets, surfaces, {"contact": ("hemisphere", "block")})
-
-    def _hemisphere(self) -> Body:
-        """It touches z = SIDE."""
-        body = spherical_shells.hemisphere(self.elements, np.linspace(INNER, OUTER, 3))
-        return replace(body, nodes=body.nodes + np.array([0.0, 0.0, SIDE + OUTER]))
 
 
 def angle(time: Array | float) -> Array:

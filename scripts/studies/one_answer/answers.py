@@ -1,7 +1,5 @@
 """The answers of a scene in all ways, and how far each is from the one that it is compared with."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -19,18 +17,7 @@ FULL, KEPT = "full Newton", "BFGS 10"
 
 @dataclass(frozen=True)
 class Answer:
-    """One run.
-
-    Attributes
-    ----------
-    scene, way : str
-    ended : str
-    iterations, retries : int
-    difference : float, optional
-        From the run that it is compared with; None where it is compared with none.
-    across : bool
-        Whether that one has its conditions enforced another way, so that they differ by what a penalty leaves.
-    """
+    """One run."""
 
     scene: str
     way: str
@@ -38,7 +25,9 @@ class Answer:
     iterations: int
     retries: int
     difference: float | None = None
+    """From the run that it is compared with; None where it is compared with none."""
     across: bool = False
+    """Whether that one has its conditions enforced another way, so that they differ by what a penalty leaves."""
 
     @property
     def is_the_same(self) -> bool:

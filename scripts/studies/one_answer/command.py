@@ -1,7 +1,5 @@
 """The command `one-answer`."""
 
-from __future__ import annotations
-
 from concurrent.futures import ThreadPoolExecutor
 from typing import Annotated
 
@@ -15,8 +13,7 @@ from studies import files
 from studies.feb import Feb
 from studies.one_answer.answers import Answer, Answers
 from studies.one_answer.edge_scenes import SCENES
-from studies.options import Folder, Timeout, console
-from studies.robustness import sanitized
+from studies.options import TWO_AT_MOST, Folder, Timeout, console
 from studies.robustness.execution import Way
 from studies.robustness.sanitized import Plugin
 
@@ -27,7 +24,7 @@ def one_answer(
     ] = None,
     timeout: Timeout = 600.0,
     folder: Folder = RESULTS / "one-answer",
-    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous scenes.")] = sanitized.processors(),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous scenes.")] = TWO_AT_MOST,
 ) -> None:
     """Solve porous scenes with an edge of contact in all ways: methods, threads, restarts, cutbacks, enforcement.
 

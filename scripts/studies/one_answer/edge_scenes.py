@@ -1,7 +1,5 @@
 """Porous scenes with an edge of contact: a punch, a load, a slide, and a crack that closes and opens."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
@@ -83,35 +81,23 @@ def control(steps: int) -> Control:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene.
-
-    Attributes
-    ----------
-    moves : str
-        ``punch``, ``load``, ``slide`` or ``crack``.
-    elements : str
-        As `Elements`, or ``tet15``.
-    shape : Shape
-        Of the block's lower face.
-    primary : str
-        Its surface is the primary one.
-    solute : bool
-        Whether both bodies hold a solute.
-    stiffness : float
-        Of the block over that of the slab.
-    cells : Cells, optional
-        Those of `CELLS` without it.
-    steps : int
-    """
+    """A scene."""
 
     moves: str
+    """``punch``, ``load``, ``slide`` or ``crack``."""
     elements: str = "hex8"
+    """As `Elements`, or ``tet15``."""
     shape: Shape = Shape.FLAT
+    """Of the block's lower face."""
     primary: str = LOWER
+    """Its surface is the primary one."""
     solute: bool = False
+    """Whether both bodies hold a solute."""
     stiffness: float = 1.0
+    """Of the block over that of the slab."""
     steps: int = 10
     cells: Cells | None = None
+    """Those of `CELLS` without it."""
 
     def feb(self, name: str) -> Feb:
         """The scene as a model file."""
@@ -237,4 +223,3 @@ SCENES: Mapping[str, Scene] = {
     **_BIPHASIC,
     **{f"solute-{name}": replace(scene, solute=True) for name, scene in _BIPHASIC.items()},
 }
-"""By name."""

@@ -1,7 +1,5 @@
 """Tetrahedra of 15 nodes in place of those of 10: a node more in the middle of each face and element."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

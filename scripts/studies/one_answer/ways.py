@@ -10,7 +10,7 @@ from lxml import etree
 
 from harness.run.logdata import History
 from studies import feb as xml
-from studies.feb import Feb
+from studies.feb import Element, Feb
 
 Change = Callable[[Feb], Feb]
 
@@ -18,58 +18,29 @@ Change = Callable[[Feb], Feb]
 def method(name: str, updates: int | None = None) -> Change:
     """A method of solution, with this many updates between two matrices; modified Newton knows no number."""
 
-    def change(model: Feb) -> Feb:
-        made = model.copy()
-        for control in made.controls:
-            found = xml.only(xml.only(control, "solver"), "qn_method")
-            found.clear()
-            found.set("type", name)
-            if updates is not None:
-                xml.put(found, "max_ups", updates)
-        return made
+    def change(control: Element) -> None:
+        found = xml.only(control, "solver/qn_method")
+        found.clear()
+        found.set("type", name)
+        if updates is not None:
+            xml.put(found, "max_ups", updates)
 
-    return change
+    return lambda model: model.changed("Control", change)
 
 
 def contact(**values: object) -> Change:
     """Parameters of the contact."""
 
-    def change(model: Feb) -> Feb:
-        made = model.copy()
-        for each in made.root.iter("contact"):
-            for tag, value in values.items():
-                xml.put(each, tag, value)
-        return made
+    def change(each: Element) -> None:
+        for tag, value in values.items():
+            xml.put(each, tag, value)
 
-    return change
+    return lambda model: model.changed("contact", change)
 
 
 def linear_solver(name: str) -> Change:
     """A linear solver of FEBio's."""
-
-    def change(model: Feb) -> Feb:
-        made = model.copy()
-        for control in made.controls:
-            etree.SubElement(xml.only(control, "solver"), "linear_solver", type=name)
-        return made
-
-    return change
-
-
-def time_step(size: float) -> Change:
-    """Steps of this size, s, with the load curves in proportion."""
-
-    def change(model: Feb) -> Feb:
-        made = model.copy()
-        for control in made.controls:
-            factor = size / xml.number(control, "step_size", 1.0)
-            xml.put(control, "step_size", f"{size:.17g}")
-        for point in made.root.iter("pt"):
-            time, value = (point.text or "").split(",")
-            point.text = f"{float(time) * factor:.17g},{value}"
-        return made
-
-    return change
+    return lambda model: model.changed("solver", lambda solver: etree.SubElement(solver, "linear_solver", type=name))
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,6 @@
 tree-sitter reads the headers as text, so that neither a compiler nor Eigen is needed.
 """
 
-from __future__ import annotations
-
 import re
 import textwrap
 from collections.abc import Iterator

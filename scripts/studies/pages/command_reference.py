@@ -1,9 +1,6 @@
 """The page of the commands, from the commands themselves: docs/reference/commands.md."""
 
-from __future__ import annotations
-
-import importlib.machinery
-import importlib.util
+import ast
 import re
 from collections.abc import Container
 
@@ -38,13 +35,8 @@ def page(app: typer.Typer, installed: Container[str]) -> str:
 
 def _summary() -> str:
     """What the script says of itself."""
-    path = str(REPOSITORY / "scripts" / "mixcontact")
-    loader = importlib.machinery.SourceFileLoader("mixcontact_script", path)
-    spec = importlib.util.spec_from_loader(loader.name, loader)
-    assert spec
-    module = importlib.util.module_from_spec(spec)
-    loader.exec_module(module)
-    return (module.__doc__ or "").strip()
+    script = (REPOSITORY / "scripts" / "mixcontact").read_text(encoding="utf-8")
+    return ast.get_docstring(ast.parse(script)) or ""
 
 
 def _section(group: TyperGroup, name: str, star: bool) -> str:

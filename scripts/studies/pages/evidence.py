@@ -4,8 +4,6 @@ A file of results below docs/data says what it was made with (`Stamp`), in its f
 its figures from such files, all with one stamp; its own text holds none.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable, Mapping
@@ -30,24 +28,16 @@ _FIGURE = re.compile(r"\d")
 
 @dataclass(frozen=True)
 class EvidencePage:
-    """A page of evidence.
-
-    Attributes
-    ----------
-    name : str
-        Below docs/.
-    sources : tuple of str
-        Files below docs/data that its figures come from.
-    template : Path
-        Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with.
-    figures : callable
-        Reads the sources and says what goes where.
-    """
+    """A page of evidence."""
 
     name: str
+    """Below docs/."""
     sources: tuple[str, ...]
+    """Files below docs/data that its figures come from."""
     template: Path
+    """Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with."""
     figures: Callable[[], Mapping[str, str]]
+    """Reads the sources and says what goes where."""
 
     def __call__(self) -> str:
         """The page.

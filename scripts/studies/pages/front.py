@@ -1,7 +1,5 @@
 """What README quotes of the pages of evidence: in the row of a page, what that page says first, in bold."""
 
-from __future__ import annotations
-
 import re
 
 from harness.errors import DataFileError

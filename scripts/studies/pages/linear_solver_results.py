@@ -1,7 +1,5 @@
 """The page of the linear solvers, from measured trials alone."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -61,30 +59,21 @@ class Outcome(str, Enum):
 
 @dataclass(frozen=True)
 class Trial:
-    """A run.
-
-    Attributes
-    ----------
-    scene, solver, preconditioner, enforcement : str
-        What was solved by what.
-    outcome : str
-        How it ended.
-    difference : float
-        Of the last state from that of the reference, relative to the largest value of each kind.
-    febio : str
-        The FEBio that ran it.
-    commit : str
-        Of the plugin's sources, or unknown.
-    """
+    """A run."""
 
     scene: str
     solver: str
     preconditioner: str
     enforcement: str
+    """What was solved by what."""
     outcome: str
+    """How it ended."""
     difference: float
+    """Of the last state from that of the reference, relative to the largest value of each kind."""
     febio: str
+    """The FEBio that ran it."""
     commit: str
+    """Of the plugin's sources, or unknown."""
 
     @property
     def cell(self) -> tuple[str, str, str, str]:
@@ -128,16 +117,12 @@ def table(trials: Sequence[Trial]) -> str:
     return tables.markdown(heads, rows)
 
 
-def _plugin(commit: str) -> str:
-    return "an earlier plugin" if commit == "unknown" else f"plugin at commit {commit}"
-
-
 def _engines(results: Results) -> str:
     """What measured the rows: the stamp, and what differs from it."""
-    others: dict[tuple[str, str], list[str]] = {}
+    others: dict[tuple[str, str], dict[str, None]] = {}
     for trial in results.rows:
         if (trial.febio, trial.commit) != (results.stamp.engine, results.stamp.commit):
-            names = others.setdefault((trial.febio, trial.commit), [])
-            names += [name for name in [Solver(trial.solver).name] if name not in names]
-    told = [f"{', '.join(names)} with {febio}, {_plugin(commit)}" for (febio, commit), names in others.items()]
+            others.setdefault((trial.febio, trial.commit), {})[Solver(trial.solver).name] = None
+    plugins = {commit: f"plugin at commit {commit}" for _, commit in others} | {"unknown": "an earlier plugin"}
+    told = [f"{', '.join(names)} with {febio}, {plugins[commit]}" for (febio, commit), names in others.items()]
     return f"The runs used {results.stamp}." + (f" Some rows used other programs: {'; '.join(told)}." if told else "")

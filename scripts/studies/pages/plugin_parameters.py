@@ -4,8 +4,6 @@ Names, order, headings, kinds, choices and defaults are those of `harness.prefli
 say comes from texts/parameter_notes.json.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 from collections.abc import Sequence
@@ -27,27 +25,18 @@ OLD_MODELS = "Accepted for the sake of old models"
 
 @dataclass(frozen=True)
 class Note:
-    """Of one parameter.
-
-    Attributes
-    ----------
-    effect : str
-        What it means and does.
-    cost : str
-        What it costs, in time or robustness.
-    febio : str
-        What it is in FEBio's own interfaces.
-    unit : str
-        Empty: 0 or 1 for truth values, else none.
-    default : str
-        Empty: that of the code.
-    """
+    """Of one parameter."""
 
     effect: str
+    """What it means and does."""
     cost: str = "none"
+    """What it costs, in time or robustness."""
     febio: str = "same"
+    """What it is in FEBio's own interfaces."""
     unit: str = ""
+    """Empty: 0 or 1 for truth values, else none."""
     default: str = ""
+    """Empty: that of the code."""
 
 
 _SAID = json.loads((FOLDER / "parameter_notes.json").read_text(encoding="utf-8"))

@@ -1,7 +1,5 @@
 """The page of the scenes drawn from what users report, from their results alone."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -15,8 +13,6 @@ DATA = Path("data", "reported-scenes.json")
 """Below docs/."""
 WAYS = {"converted": "converted", "defaults": "penalties deleted"}
 """Runs of ours that each scene has, as the table calls them."""
-IN = 0.9
-"""Part of the scenes in which ours is to take at most FEBio's iterations."""
 
 HEAD = page_text("reported-scenes")
 ALL_HEAD = page_text("reported-scenes-all")
@@ -47,12 +43,11 @@ def compared(rows: Sequence[Row]) -> str:
 
 def _short(rows: Sequence[Row]) -> str:
     """A table of names and counts alone."""
-    cells = ([row.name, *(_brief(took) for took in (row.febio, *_ours(row)))] for row in rows)
+    cells = (
+        [row.name, *(scene_results.cell(took) if took.ended else "fails" for took in (row.febio, *_ours(row)))]
+        for row in rows
+    )
     return tables.markdown(["scene", "FEBio", *WAYS.values()], cells)
-
-
-def _brief(took: Took) -> str:
-    return scene_results.cell(took) if took.ended else "fails"
 
 
 def _ours(row: Row) -> list[Took]:
@@ -72,15 +67,9 @@ def summary(rows: Sequence[Row]) -> str:
 def details(rows: Sequence[Row]) -> str:
     """A table with a row for each way: runs that complete, iterations over FEBio's, and more retries."""
     sound = sum(row.febio.ended for row in rows)
-    heads = (
-        "model",
-        f"completes of FEBio's {sound}",
-        "of the other scenes",
-        "iterations at most FEBio's",
-        "largest ratio of iterations",
-    )
-    lines = [_details(way, rows) for way in WAYS]
-    return tables.markdown((*heads, f"ratio above {MOST}", "more retries"), lines)
+    heads = ("model", f"completes of FEBio's {sound}", "of the other scenes", "iterations at most FEBio's")
+    more = ("largest ratio of iterations", f"ratio above {MOST}", "more retries")
+    return tables.markdown((*heads, *more), (_details(way, rows) for way in WAYS))
 
 
 def _details(way: str, rows: Sequence[Row]) -> tuple[str | int, ...]:

@@ -1,7 +1,5 @@
 """The pages of the synthetic test scenes, from their results alone."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -26,17 +24,8 @@ FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit"
 MOST = 1.2
 """Iterations over FEBio's, at most, in any scene."""
 COLUMNS = (
-    *(
-        "scene",
-        "description",
-        "FEBio",
-        "converted",
-        "displacements differ by",
-        "fields differ by",
-        "penalties deleted",
-        "with `predictor` 1",
-    ),
-    "worse in",
+    *("scene", "description", "FEBio", "converted", "displacements differ by", "fields differ by"),
+    *("penalties deleted", "with `predictor` 1", "worse in"),
 )
 AT_LIMIT = "ended by the limit"
 """Why a run did not end that took all of its processor time."""
@@ -48,28 +37,19 @@ UNAVAILABLE = "not available in models with rigid bodies"
 
 @dataclass(frozen=True)
 class Took:
-    """What a run took.
-
-    Attributes
-    ----------
-    ended : bool
-    steps, iterations, retries : int
-    difference : float
-        Largest difference of displacements of the last state from that of FEBio's interface, relative to the largest
-        displacement; 0 for FEBio's interface itself, not a number where a run did not end.
-    of_fields : float
-        The same of pressure and concentrations, the largest of them; not a number where there are none.
-    why : str
-        Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it.
-    """
+    """What a run took."""
 
     ended: bool
     steps: int = 0
     iterations: int = 0
     retries: int = 0
     difference: float = math.nan
+    """Largest difference of displacements of the last state from that of FEBio's interface, relative to the largest
+    displacement; 0 for FEBio's interface itself, not a number where a run did not end."""
     of_fields: float = math.nan
+    """The same of pressure and concentrations, the largest of them; not a number where there are none."""
     why: str = ""
+    """Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it."""
 
     @property
     def at_limit(self) -> bool:
@@ -156,16 +136,15 @@ def table(rows: Sequence[Row]) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
+    apart = (_number(row.converted.difference), _number(row.converted.of_fields))
+    found = worse(row, {"converted": "converted", "defaults": "penalties deleted"})
     return (
         row.name,
         row.about,
-        cell(row.febio),
-        cell(row.converted),
-        _number(row.converted.difference),
-        _number(row.converted.of_fields),
-        cell(row.defaults),
-        cell(row.predicted),
-        worse(row, {"converted": "converted", "defaults": "penalties deleted"}),
+        *map(cell, (row.febio, row.converted)),
+        *apart,
+        *map(cell, (row.defaults, row.predicted)),
+        found,
     )
 
 
@@ -237,12 +216,8 @@ def _predictor(rows: Sequence[Row]) -> str:
 
 def _limit(rows: Sequence[Row]) -> str:
     """Which runs the limit ended."""
-    ways = {
-        "FEBio's": "febio",
-        "converted": "converted",
-        "penalties deleted": "defaults",
-        "with the predictor": "predicted",
-    }
-    counts = {name: sum(getattr(row, way).at_limit for row in rows) for name, way in ways.items()}
-    told = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
+    ways = ("febio", "converted", "defaults", "predicted")
+    counts = [sum(getattr(row, way).at_limit for row in rows) for way in ways]
+    names = ("FEBio's", "converted", "penalties deleted", "with the predictor")
+    told = ", ".join(f"{name} {count}" for name, count in zip(names, counts, strict=True) if count)
     return f"The limit stopped runs: {told}." if told else "The limit stopped no run."

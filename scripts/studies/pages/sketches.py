@@ -1,7 +1,5 @@
 """Sketches: the interface, the primary side, averages around nodes, Gauss points and segments."""
 
-from __future__ import annotations
-
 from itertools import product
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Results as JSON: what they were made with under "stamp", and their rows under "rows"."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass

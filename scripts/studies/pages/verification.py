@@ -1,7 +1,5 @@
 """The verification report: every check of `validate` with its runs, as docs/verification.json and a page of it."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
@@ -23,20 +21,14 @@ PAGE, DATA = "reference/verification-report.md", "data/verification.json"
 
 @dataclass(frozen=True)
 class Run:
-    """A run behind a figure.
-
-    Attributes
-    ----------
-    model, mesh, steps, contact, tolerances : str
-        Name, and the rest as the page shows it.
-    iterations : int
-    """
+    """A run behind a figure."""
 
     model: str
     mesh: str
     steps: str
     contact: str
     tolerances: str
+    """Name, and the rest as the page shows it."""
     iterations: int
 
 
@@ -76,12 +68,8 @@ def make(root: Path, checks: Sequence[Check]) -> Iterator[Section]:
     for check in checks:
         recorder = Recorder(root)
         measures = check.run(Context(recorder))
-        yield _section(check, measures, recorder.results_)
-
-
-def _section(check: Check, measures: list[Measure], results_: list[RunResult]) -> Section:
-    unique = {result.folder: result for result in results_}
-    return Section(check.name, check.about, measures, [_run(result) for result in unique.values()])
+        unique = {result.folder: result for result in recorder.results_}
+        yield Section(check.name, check.about, measures, [_run(result) for result in unique.values()])
 
 
 def _run(result: RunResult) -> Run:
@@ -144,21 +132,15 @@ def read(folder: Path) -> Report:
 
 def page(report: Report) -> str:
     """The text of the page."""
-    introduction = _INTRODUCTION.format(stamp=report.stamp)
-    return "\n\n".join([introduction, *(_text(section) for section in report.sections)]) + "\n"
-
-
-_INTRODUCTION = page_text("verification").rstrip()
+    introduction = page_text("verification").rstrip().format(stamp=report.stamp)
+    return "\n\n".join([introduction, *map(_text, report.sections)]) + "\n"
 
 
 def _text(section: Section) -> str:
     """One check. Its command repeats it alone; what needs no run has no table of runs."""
-    parts = [f"## {section.name}", section.about, _command(section), _measures(section.measures)]
+    command = f"```console\nscripts/mixcontact validate --only {section.name}\n```"
+    parts = [f"## {section.name}", section.about, command, _measures(section.measures)]
     return "\n\n".join(parts + ([_runs(section.runs)] if section.runs else []))
-
-
-def _command(section: Section) -> str:
-    return f"```console\nscripts/mixcontact validate --only {section.name}\n```"
 
 
 def _measures(measures: list[Measure]) -> str:

@@ -1,7 +1,5 @@
 """Contact pressure of several runs side by side, in one scale of colours."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

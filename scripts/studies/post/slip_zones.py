@@ -1,7 +1,5 @@
 """Stick and slip zones of a run of `studies.models.partial_slip`, from the tractions at its nodes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,31 +9,22 @@ from harness.post.compare import Measure
 from harness.run.runner import RunResult
 from studies.closed_forms import cattaneo_mindlin, hertz
 from studies.models.partial_slip import COMBINED, FRICTION, RADIUS, THICKNESS
-from studies.post import half_ellipse
 
 
 @dataclass(frozen=True)
 class Zones:
-    """The contact at the end of a run, and what it should be for the forces that pass.
-
-    Attributes
-    ----------
-    x, pressure, shear : ndarray
-        Of the nodes under load: position (mm) and tractions (MPa).
-    half_width : float
-        a of the closed form for the normal force, mm.
-    ratio : float
-        Q/(mu P).
-    bound : float
-        mu p0 of the closed form, MPa.
-    """
+    """The contact at the end of a run, and what it should be for the forces that pass."""
 
     x: Array
     pressure: Array
     shear: Array
+    """Of the nodes under load: position (mm) and tractions (MPa)."""
     half_width: float
+    """a of the closed form for the normal force, mm."""
     ratio: float
+    """Q/(mu P)."""
     bound: float
+    """mu p0 of the closed form, MPa."""
 
     @property
     def stick_half_width(self) -> float:
@@ -46,7 +35,7 @@ class Zones:
         left = FRICTION * self.pressure - np.abs(self.shear)
         sticks = left > 1e-3 * self.bound
         middle = float(np.mean(self.x[sticks]))
-        return half_ellipse.through(self.x[sticks] - middle, left[sticks]).half_width
+        return hertz.half_ellipse_through(self.x[sticks] - middle, left[sticks]).half_width
 
     @property
     def peak_shear(self) -> float:
@@ -56,7 +45,7 @@ class Zones:
 
     def pressed(self, tolerance: float) -> list[Measure]:
         """Half-width and peak of the pressure against Hertz's, relative: its square falls linearly with x^2 to zero."""
-        half_width, peak = half_ellipse.through(self.x - np.mean(self.x), self.pressure)
+        half_width, peak = hertz.half_ellipse_through(self.x - np.mean(self.x), self.pressure)
         width, height = half_width / self.half_width, peak * FRICTION / self.bound
         return [
             Measure("Hertz's line contact, half-width, relative error", abs(width - 1.0), tolerance),

@@ -1,7 +1,5 @@
 """The command `price`: timings of the contact, by task and effect, and beside FEBio's own interfaces."""
 
-from __future__ import annotations
-
 import shutil
 from enum import Enum
 from functools import partial
@@ -44,7 +42,6 @@ def price(
     The command alternates the runs that it compares, and takes the medians of their ratios. Nothing else should run at
     the same time.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     chosen = only or list(Part)
     stamp = stamps.stamp(LIMIT)
     tell = partial(console.print, markup=False)
@@ -58,7 +55,7 @@ def price(
         costs = effect_costs.measure(effects_added(), repetitions, tell)
         files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
     if Part.COMPARISON in chosen:
-        scenes = (Scene(kind, solutes=_solutes(kind)) for kind in Kind)
+        scenes = (Scene(kind, solutes=int(kind in (Kind.SOLUTE, Kind.MULTIPHASIC))) for kind in Kind)
         prices = [price for scene in scenes for price in paired_runs.prices(scene, repetitions, tell)]
         files.write_csv(prices, paired_runs.Price, folder / page.COMPARISON, stamp)
     console.print(f"Written: {folder}")
@@ -73,7 +70,3 @@ def _write_docs(folder: Path) -> None:
             shutil.copy(folder / name, DATA / name)
     page.draw(files.read_csv(DATA / page.EFFECTS, EffectCost), DOCS / page.PICTURE)
     console.print(f"Written: {page.PAGE.write()}, {DOCS / page.PICTURE}")
-
-
-def _solutes(kind: Kind) -> int:
-    return 1 if kind in (Kind.SOLUTE, Kind.MULTIPHASIC) else 0

@@ -1,7 +1,5 @@
 """What each effect costs in scenes that exchange more and more: times, unknowns, entries of the matrix."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -14,46 +12,32 @@ from studies.stamps import LIMIT
 
 @dataclass(frozen=True)
 class EffectCost:
-    """One effect of one scene.
-
-    Attributes
-    ----------
-    scene : str
-    effect : str
-        ``shared`` is what all effects need.
-    part : float
-        Part of the run's time that the contact takes for this effect, of the run whose share is the median.
-    share, share_low, share_high : float
-        Part of all effects: median, least and largest.
-    bytes : int
-        Memory for each integration point.
-    unknowns, entries : int
-        Equations of the run, and the most entries of its matrix.
-    """
+    """One effect of one scene."""
 
     scene: str
     effect: str
+    """``shared`` is what all effects need."""
     part: float
+    """Part of the run's time that the contact takes for this effect, of the run whose share is the median."""
     share: float
     share_low: float
     share_high: float
+    """Part of all effects: median, least and largest."""
     bytes: int
+    """Memory for each integration point."""
     unknowns: int
     entries: int
+    """Equations of the run, and the most entries of its matrix."""
 
 
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[EffectCost]:
     """Run all scenes in turn, `repetitions` times."""
     runs = timing.interleave(
-        {name: partial(_log, scene) for name, scene in scenes.items()},
+        {name: partial(timing.execute, scene.model(), processor_limit=LIMIT) for name, scene in scenes.items()},
         repetitions,
         lambda name, number: announce(f"{name} ({number} of {repetitions})"),
     )
-    return [cost for name, logs in runs.items() for cost in costs(name, logs)]
-
-
-def _log(scene: Scene) -> str:
-    return timing.execute(scene.model(), processor_limit=LIMIT)[1]
+    return [cost for name, found in runs.items() for cost in costs(name, [log for _, log in found])]
 
 
 def costs(scene: str, logs: Sequence[str]) -> list[EffectCost]:

@@ -1,12 +1,9 @@
 """FEBio's interface with the symmetric matrix that its module `solid` has by default, beside a non-symmetric one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from harness.models.document import Model
 from studies import tables, timing
 from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints, table
@@ -18,18 +15,7 @@ FORMATS = ("non-symmetric", "symmetric")
 
 @dataclass(frozen=True)
 class Matrix:
-    """FEBio's interface on one scene with one form of its matrix.
-
-    Attributes
-    ----------
-    scene, form : str
-    ended : bool
-    iterations, retries : int
-    ratio, ratio_low, ratio_high : float
-        Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn.
-    entries : int
-        The most entries of the matrix.
-    """
+    """FEBio's interface on one scene with one form of its matrix."""
 
     scene: str
     form: str
@@ -39,7 +25,9 @@ class Matrix:
     ratio: float
     ratio_low: float
     ratio_high: float
+    """Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn."""
     entries: int
+    """The most entries of the matrix."""
 
 
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
@@ -50,8 +38,9 @@ def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[s
 
 def _rows(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
     model = joints.rival(scene).model()
+    models = {form: replace(model, control=replace(model.control, matrix=form)) for form in FORMATS}
     runs = timing.interleave(
-        {form: partial(joints.run, _with(model, form)) for form in FORMATS},
+        {form: partial(joints.run, each) for form, each in models.items()},
         repetitions,
         lambda form, number: announce(f"{name}: {form} ({number} of {repetitions})"),
     )
@@ -62,10 +51,6 @@ def _rows(name: str, scene: Scene, repetitions: int, announce: Callable[[str], N
         spread = timing.spread(joints.ratios(own, runs[FORMATS[0]]))
         found.append(Matrix(name, form, *counts, *spread, table.entries(log)))
     return found
-
-
-def _with(model: Model, form: str) -> Model:
-    return replace(model, control=replace(model.control, matrix=form))
 
 
 def headline(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
@@ -90,22 +75,10 @@ def matrices_table(found: Sequence[Matrix], measured: Sequence[Joint]) -> str:
     """A row for each scene, as Markdown."""
     ours = {joint.ours.scene: joint.ours for joint in measured}
     rows = {(row.scene, row.form): row for row in found}
-    heads = (
-        "scene",
-        "iterations",
-        "symmetric: iterations",
-        "time, symmetric over non-symmetric",
-        "`sliding-mixture` over symmetric",
-    )
+    heads = ("scene", "iterations", "symmetric: iterations", "time, symmetric over non-symmetric")
     lines = []
     for scene in dict.fromkeys(row.scene for row in found):
         plain, default = (rows[scene, form] for form in FORMATS)
-        cells = (
-            scene,
-            plain.iterations,
-            default.iterations if default.ended else "fails",
-            f"{default.ratio:.2f}" if default.ended else "",
-            f"{ours[scene].ratio / default.ratio:.2f}" if default.ended else "",
-        )
-        lines.append(cells)
-    return tables.markdown(heads, lines)
+        times = (f"{default.ratio:.2f}", f"{ours[scene].ratio / default.ratio:.2f}")
+        lines.append((scene, plain.iterations, *((default.iterations, *times) if default.ended else ("fails", "", ""))))
+    return tables.markdown((*heads, "`sliding-mixture` over symmetric"), lines)

@@ -2,8 +2,6 @@
 interface, run in turn.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -41,45 +39,31 @@ OURS, PREDICTED = Interface.MIXTURE.value, Interface.PREDICTED.value
 
 @dataclass(frozen=True)
 class JointPrice:
-    """One contact on one scene, from several runs.
-
-    Attributes
-    ----------
-    scene : str
-    type : str
-        Type of the contact; `PREDICTED` for ours with the predictor.
-    ended : bool
-    iterations, retries, matrices : int
-        Newton iterations, time steps tried again, and matrices formed.
-    seconds : float
-        Median of the processor time of the run, s.
-    ratio, ratio_low, ratio_high : float
-        Median, least and largest of that time over that of FEBio's interface, run in turn.
-    share : float
-        Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's.
-    points : int
-        Integration points that face the other surface; 0 for FEBio's.
-    facets : int
-        Of the primary surface.
-    unknowns, entries : int
-        Equations, and the most entries of the matrix.
-    """
+    """One contact on one scene, from several runs."""
 
     scene: str
     type: str
+    """Type of the contact; `PREDICTED` for ours with the predictor."""
     ended: bool
     iterations: int
     retries: int
     matrices: int
+    """Newton iterations, time steps tried again, and matrices formed."""
     seconds: float
+    """Median of the processor time of the run, s."""
     ratio: float
     ratio_low: float
     ratio_high: float
+    """Median, least and largest of that time over that of FEBio's interface, run in turn."""
     share: float
+    """Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's."""
     points: int
+    """Integration points that face the other surface; 0 for FEBio's."""
     facets: int
+    """Of the primary surface."""
     unknowns: int
     entries: int
+    """Equations, and the most entries of the matrix."""
 
 
 def rival(scene: Scene) -> Scene:
@@ -124,21 +108,12 @@ def ratios(runs: Sequence[Timed], reference: Sequence[Timed]) -> list[float]:
 
 def _price(name: str, contact: str, runs: Sequence[Timed], reference: Sequence[Timed], facets: int) -> JointPrice:
     times = [found for _, log in runs for found in table.read(log)]
-    least = min(times, key=lambda found: found.share, default=None)
+    share, points = min(((found.share, found.points) for found in times), default=(float("nan"), 0))
     first, log = runs[0]
-    return JointPrice(
-        name,
-        contact,
-        all(run.report.normal for run, _ in runs),
-        *(first.report.iterations, first.report.retries, first.report.reformations),
-        median(run.cpu for run, _ in runs),
-        *timing.spread(ratios(runs, reference)),
-        least.share if least else float("nan"),
-        least.points if least else 0,
-        facets,
-        table.unknowns(log),
-        table.entries(log),
-    )
+    counts = (first.report.iterations, first.report.retries, first.report.reformations)
+    spent = (median(run.cpu for run, _ in runs), *timing.spread(ratios(runs, reference)))
+    size = (facets, table.unknowns(log), table.entries(log))
+    return JointPrice(name, contact, all(run.report.normal for run, _ in runs), *counts, *spent, share, points, *size)
 
 
 class Joint(NamedTuple):
@@ -157,9 +132,7 @@ def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
     DataFileError
         Where a scene lacks one of its contacts.
     """
-    scenes: dict[str, list[JointPrice]] = {}
-    for price in prices:
-        scenes.setdefault(price.scene, []).append(price)
+    scenes = tables.grouped(prices, lambda price: price.scene)
     for name, own in scenes.items():
         if [price.type for price in own[:-1]] != [OURS, PREDICTED]:
             raise DataFileError(f"'{name}' is not there with all contacts; `price --docs` measures it anew")

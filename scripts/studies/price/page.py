@@ -1,7 +1,5 @@
 """The page of what the contact costs: docs/evidence/price.md, with its picture, from docs/data/price-*.csv."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -52,10 +50,7 @@ def figures() -> Mapping[str, str]:
 
 
 def _by_scene(costs: Sequence[EffectCost]) -> dict[str, list[EffectCost]]:
-    found: dict[str, list[EffectCost]] = {}
-    for cost in costs:
-        found.setdefault(cost.scene, []).append(cost)
-    return found
+    return tables.grouped(costs, lambda cost: cost.scene)
 
 
 def _details(costs: Sequence[EffectCost]) -> str:

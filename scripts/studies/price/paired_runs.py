@@ -1,7 +1,5 @@
 """Runs ours, FEBio's own contact and the conforming reference in turn, and compares iterations and times."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -26,37 +24,25 @@ FACTORS = (1000.0, 1.0)
 
 @dataclass(frozen=True)
 class Price:
-    """What one contact costs on one scene, from several runs.
-
-    Attributes
-    ----------
-    kind : str
-    type : str
-        Type of the contact, as `Interface` has it for ours with the predictor.
-    factor : float
-        Penalty factor; 0 for our defaults.
-    ended : bool
-    limited : bool
-        Whether the limit ended a run.
-    iterations : int
-        Newton iterations.
-    added, added_low, added_high : float
-        Median, least and largest of (processor time of the run)/(that of the conforming reference, run in turn) - 1.
-    unknowns, entries : int
-        Equations, and the most entries of the matrix.
-    """
+    """What one contact costs on one scene, from several runs."""
 
     kind: str
     type: str
+    """Type of the contact, as `Interface` has it for ours with the predictor."""
     factor: float
+    """Penalty factor; 0 for our defaults."""
     ended: bool
     limited: bool
+    """Whether the limit ended a run."""
     iterations: int
+    """Newton iterations."""
     added: float
     added_low: float
     added_high: float
+    """Median, least and largest of (processor time of the run)/(that of the conforming reference, run in turn) - 1."""
     unknowns: int
     entries: int
+    """Equations, and the most entries of the matrix."""
 
 
 def compared(scene: Scene) -> dict[tuple[str, float], Scene]:

@@ -1,7 +1,5 @@
 """The page of how long a run takes by its size: docs/how-to/time.md, from the joints that the contact is timed on."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 

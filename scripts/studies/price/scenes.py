@@ -1,7 +1,5 @@
 """Two blocks pressed together, with more and more to exchange: the scenes whose price is measured."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from enum import Enum
 
@@ -33,8 +31,6 @@ BELOW, ABOVE = 1.0, 2.0
 """Effective concentrations at the two ends, mM; 1 mM everywhere at the start."""
 STEPS, STEP = 5, 100.0
 """Number of steps and their size, s: in one, solutes get about (d STEP)^(1/2) = 0.22 mm far."""
-PENALTY_FACTOR = 1000.0
-"""Factor of FEBio's automatic penalties, with which their contact is about as accurate as ours with its defaults."""
 SOLID = Solid(10.0)
 PERMEABILITY = 1e-3
 """mm^4/(N s)."""
@@ -67,28 +63,17 @@ class Kind(str, Enum):
 
 @dataclass(frozen=True)
 class Scene:
-    """Choices of the scene.
-
-    Attributes
-    ----------
-    kind : Kind
-    contact : str
-        Type of the contact; ``conforming`` for one body without a contact.
-    solutes : int
-        Number of solutes of both blocks.
-    fixed : bool
-        Whether the solid is held everywhere.
-    section, through : int
-        Elements along x and y, and through each block.
-    """
-
     kind: Kind
     contact: str = InterfaceType.MIXTURE.value
+    """Type of the contact; ``conforming`` for one body without a contact."""
     solutes: int = 0
+    """Number of solutes of both blocks."""
     fixed: bool = False
+    """Whether the solid is held everywhere."""
     section: int = 8
     through: int = 2
-    settings: ContactSettings | None = None
+    """Elements along x and y, and through each block."""
+    settings: ContactSettings = ContactSettings()
     control: Control = field(default=Control(STEPS, STEP))
 
     @property
@@ -99,7 +84,6 @@ class Scene:
         return f"{self.kind.value}{solutes}{fixed}-{self.contact}-{self.section}x{self.through}"
 
     def model(self) -> Model:
-        """The model of these choices."""
         mesh = self._mesh()
         interface = InterfaceType.ours_in([self.contact])
         end = self.control.steps * self.control.step
@@ -111,7 +95,7 @@ class Scene:
             materials={"tissue": self._material()},
             conditions=tuple(self._conditions()),
             control=self.control,
-            contacts=tuple(Contact(self.contact, pair, self._parameters().params()) for pair in mesh.pairs),
+            contacts=tuple(Contact(self.contact, pair, self.settings.params()) for pair in mesh.pairs),
             curves=(Curve(((0.0, 0.0), (end, 1.0))),),
         )
 
@@ -136,18 +120,9 @@ class Scene:
             wet.append(initial_concentration("all", BELOW, sol))
         return [*moved, *wet]
 
-    def _parameters(self) -> ContactSettings:
-        """Ours with its defaults; FEBio's with automatic penalties times `PENALTY_FACTOR`, of what it exchanges."""
-        if self.settings is not None:
-            return self.settings
-        if self.contact == InterfaceType.MIXTURE.value:
-            return ContactSettings()
-        return penalties(self.kind, PENALTY_FACTOR)
-
     def _what(self) -> str:
-        solvent = [] if self.kind is Kind.ELASTIC else ["solvent"]
-        solutes = [f"{self.solutes} solute{'s' * (self.solutes > 1)}"] if self.solutes else []
-        return ", ".join(["traction", *solvent, *solutes])
+        solvent = ", solvent" * (self.kind is not Kind.ELASTIC)
+        return f"traction{solvent}" + (f", {self.solutes} solute{'s' * (self.solutes > 1)}" if self.solutes else "")
 
 
 def penalties(kind: Kind, factor: float) -> ContactSettings:

@@ -1,7 +1,5 @@
 """Reads the table of times that each contact writes at the end of a run."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 
@@ -18,30 +16,20 @@ TASKS = ("search", "residual", "stiffness", "augmentation", "output")
 
 @dataclass(frozen=True)
 class Times:
-    """What one contact cost in one run.
-
-    Attributes
-    ----------
-    contact : str
-        Its name in the model.
-    seconds : dict of str to dict of str to float
-        By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on.
-    host : float
-        s of all these that the host takes for its own assembly.
-    run : float
-        s, of the whole run.
-    points : int
-        Integration points that see the other surface; 0 where there was no contact.
-    memory : int
-        Bytes that the contact keeps for each of them.
-    """
+    """What one contact cost in one run."""
 
     contact: str
+    """Its name in the model."""
     seconds: dict[str, dict[str, float]]
+    """By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on."""
     host: float
+    """s of all these that the host takes for its own assembly."""
     run: float
+    """s, of the whole run."""
     points: int
+    """Integration points that see the other surface; 0 where there was no contact."""
     memory: int
+    """Bytes that the contact keeps for each of them."""
 
     @property
     def effects(self) -> dict[str, float]:

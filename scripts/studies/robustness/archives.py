@@ -1,7 +1,5 @@
 """Catches what febio4 dumps: it writes each archive over the one before, here into a pipe that is read meanwhile."""
 
-from __future__ import annotations
-
 import os
 import select
 import threading

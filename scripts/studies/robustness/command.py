@@ -1,7 +1,5 @@
 """The command `robustness`."""
 
-from __future__ import annotations
-
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Annotated
@@ -12,7 +10,7 @@ from harness.choice import chosen
 from harness.paths import MODELS, RESULTS
 from studies import feb
 from studies.feb import Feb
-from studies.options import Folder, Timeout, console
+from studies.options import TWO_AT_MOST, Folder, Timeout, console
 from studies.robustness import report, sanitized, solvers
 from studies.robustness.execution import Way
 from studies.robustness.trial import Finding, Trial
@@ -35,7 +33,7 @@ def robustness(
     ] = None,
     timeout: Timeout = 600.0,
     folder: Folder = RESULTS / "robustness",
-    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous models.")] = sanitized.processors(),
+    jobs: Annotated[int, typer.Option(min=1, help="Number of simultaneous models.")] = TWO_AT_MOST,
 ) -> None:
     """Run models with a sanitized plugin: unchanged, with two threads, restarts, repeated steps, and other solvers.
 

@@ -1,7 +1,5 @@
 """How far the node data of two runs are apart."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

@@ -1,7 +1,5 @@
 """One run of febio4: how it ended, and what the sanitizers said."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess
@@ -30,26 +28,17 @@ class Way:
 
 @dataclass(frozen=True)
 class Ended:
-    """A run that has ended.
-
-    Attributes
-    ----------
-    folder : Path
-        Where its files are.
-    code : int, optional
-        febio4's exit code; minus the number of the signal that ended it; None where it took too long.
-    report : febio_log.Report
-    sanitizers : tuple of str
-        Their findings, a line for each.
-    nodes : logdata.History, optional
-        The data of all nodes, where it wrote them.
-    """
+    """A run that has ended."""
 
     folder: Path
+    """Where its files are."""
     code: int | None
+    """febio4's exit code; minus the number of the signal that ended it; None where it took too long."""
     report: febio_log.Report
     sanitizers: tuple[str, ...]
+    """Their findings, a line for each."""
     nodes: logdata.History | None
+    """The data of all nodes, where it wrote them."""
 
     @property
     def how(self) -> str:

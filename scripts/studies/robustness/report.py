@@ -1,13 +1,9 @@
 """The table of findings."""
 
-from __future__ import annotations
-
-import json
 from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 
-from studies import tables
+from studies import files, tables
 from studies.robustness.trial import Finding
 
 _HEAD = ("model", "variation", "ended", "steps", "retries", "difference", "faults")
@@ -36,5 +32,5 @@ def write(findings: Sequence[Finding], folder: Path) -> list[Path]:
     folder.mkdir(parents=True, exist_ok=True)
     text, data = folder / "robustness.md", folder / "robustness.json"
     text.write_text(f"{summary(findings)}\n\n{table(findings)}\n")
-    data.write_text(json.dumps([asdict(found) for found in findings], indent=1))
+    files.write_json(findings, data)
     return [text, data]

@@ -1,8 +1,5 @@
 """The plugin with address and undefined-behaviour sanitizers: its build, how febio4 loads it, and what it reports."""
 
-from __future__ import annotations
-
-import os
 import re
 import subprocess
 from dataclasses import dataclass
@@ -95,8 +92,3 @@ def lost_bytes(folder: Path) -> int:
     texts = [path.read_text(errors="replace") for path in sorted(folder.glob(f"{REPORT}.*"))]
     leaks = [leak for text in texts for leak in _LEAK.findall(text)]
     return sum(int(size) for size, stack in leaks if PLUGIN_NAME in stack)
-
-
-def processors() -> int:
-    """Runs that fit on this machine at a time, two at most."""
-    return min(2, os.cpu_count() or 1)

@@ -1,7 +1,5 @@
 """The solvers that FEBio has for elastic bodies, and a scene for them: a block pressed onto another one and moved."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
@@ -14,7 +12,7 @@ from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies import feb as xml
 from studies.feb import Element, Feb
 
-Change = Callable[[Element], None]
+Change = Callable[[Element], object]
 """Of a control section."""
 PRESSED, MOVED = 0.02, 0.1
 """mm."""
@@ -47,11 +45,6 @@ def elastic() -> Feb:
     return xml.made(model)
 
 
-def is_elastic(model: Feb) -> bool:
-    """Whether the solvers for elastic bodies can solve a model."""
-    return model.module == "solid"
-
-
 def _newton(control: Element) -> Element:
     """FEBio's solver `solid`, without a method of its own to form matrices."""
     solver = xml.only(control, "solver")
@@ -78,14 +71,6 @@ def _matrix_free(control: Element) -> None:
     etree.SubElement(solver, "linear_solver", type="fgmres")
 
 
-def _arc_length(control: Element) -> None:
-    xml.put(_newton(control), "arc_length", 1)
-
-
-def _conjugate_gradients(control: Element) -> None:
-    control.replace(xml.only(control, "solver"), etree.Element("solver", type="CG-solid"))
-
-
 def _explicit(control: Element) -> None:
     control.replace(xml.only(control, "solver"), etree.Element("solver", type="explicit-solid"))
     xml.put(control, "analysis", "DYNAMIC")
@@ -99,8 +84,8 @@ SOLVERS: Mapping[str, Change] = {
     "BFGS": _quasi_newton("BFGS"),
     "Broyden": _quasi_newton("Broyden"),
     "JFNK": _matrix_free,
-    "arc length": _arc_length,
-    "CG-solid": _conjugate_gradients,
+    "arc length": lambda control: xml.put(_newton(control), "arc_length", 1),
+    "CG-solid": lambda control: control.replace(xml.only(control, "solver"), etree.Element("solver", type="CG-solid")),
     "explicit-solid": _explicit,
 }
 """Beside Newton's method of the solver `solid`, which a model has as it stands."""
@@ -110,7 +95,4 @@ SAME_SOLUTION = frozenset({"BFGS", "Broyden", "JFNK", "CG-solid"})
 
 def solved_by(model: Feb, name: str) -> Feb:
     """The same model with another solver."""
-    made = model.copy()
-    for control in made.controls:
-        SOLVERS[name](control)
-    return made
+    return model.changed("Control", SOLVERS[name])

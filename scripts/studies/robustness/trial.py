@@ -1,7 +1,5 @@
 """A model in all its variations, and what each is held to."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -21,28 +19,18 @@ SOLVED = 0.05
 
 @dataclass(frozen=True)
 class Finding:
-    """What came of one variation of a model.
-
-    Attributes
-    ----------
-    model, variation : str
-    ended : str
-        How it ended.
-    steps, retries : int
-    difference : float, optional
-        From the run that it is compared with, as in `differences.largest`; None where there is nothing to compare.
-    faults : tuple of str
-        What must not be.
-    note : str
-    """
+    """What came of one variation of a model."""
 
     model: str
     variation: str
     ended: str
+    """How it ended."""
     steps: int
     retries: int
     difference: float | None = None
+    """From the run that it is compared with, as in `differences.largest`; None where there is nothing to compare."""
     faults: tuple[str, ...] = ()
+    """What must not be."""
     note: str = ""
 
     @property
@@ -74,7 +62,7 @@ class Trial:
             size = variations.end_of(seen) / plain.report.steps
             yield self._cut_back("cut back", seen, variations.cut_back(seen, size), forced=True)
             yield self._cut_back("few matrices", seen, variations.starved(seen, variations.FEWEST), forced=False)
-        if solvers.is_elastic(model):
+        if model.module == "solid":
             for name in solvers.SOLVERS:
                 yield self._solved_by(name, seen, plain)
 

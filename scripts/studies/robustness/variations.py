@@ -1,7 +1,5 @@
 """What a model is turned into: shortened, watched at all nodes, cut back, with given times, with another solver."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from lxml import etree
@@ -78,13 +76,13 @@ def with_given_penalty(model: Feb) -> Feb:
 
     An automatic one is reduced after a failed step, one that is given never.
     """
-    made = model.copy()
-    for contact in made.root.iter("contact"):
+
+    def change(contact: Element) -> None:
         if contact.get("type") == "sliding-mixture" and contact.find("penalty") is None:
-            two_pass = xml.number(contact, "two_pass", 0.0) != 0.0
             xml.put(contact, "auto_penalty", 1)
-            xml.put(contact, "penalty", 100 if two_pass else 1000)
-    return made
+            xml.put(contact, "penalty", 100 if xml.number(contact, "two_pass", 0.0) else 1000)
+
+    return model.changed("contact", change)
 
 
 def cut_back(model: Feb, step: float) -> Feb:
@@ -98,18 +96,19 @@ def cut_back(model: Feb, step: float) -> Feb:
         solver = xml.only(control, "solver")
         for tag, usual in TOLERANCES.items():
             xml.put(solver, tag, f"{xml.number(solver, tag, usual):.17g}", lc=curve)
-        _stepper(control, dtmax=f"{step:.17g}", max_retries=20, cutback=CUT)
+        _stepper(control, f"{step:.17g}", 20)
     return made
 
 
 def starved(model: Feb, matrices: int) -> Feb:
     """The same model with so few matrices in a step that steps which need more iterations are cut back."""
-    made = with_given_penalty(model)
-    for control in made.controls:
+
+    def change(control: Element) -> None:
         xml.put(xml.only(control, "solver"), "max_refs", matrices)
         if control.find("time_stepper") is None:
-            _stepper(control, dtmax=f"{xml.number(control, 'step_size', 1.0):.17g}", max_retries=5, cutback=CUT)
-    return made
+            _stepper(control, f"{xml.number(control, 'step_size', 1.0):.17g}", 5)
+
+    return with_given_penalty(model).changed("Control", change)
 
 
 def _pulses(end: float, step: float) -> list[tuple[float, float]]:
@@ -139,16 +138,16 @@ def with_times(model: Feb, times: Sequence[float]) -> Feb:
         xml.put(control, "step_size", f"{times[0]:.17g}")
         xml.put(control, "time_steps", -1)
         xml.put(control, "final_time", f"{times[-1]:.17g}")
-        _stepper(control, dtmax=0, max_retries=0, cutback=CUT)
+        _stepper(control, 0, 0)
         xml.put(xml.only(control, "time_stepper"), "dtmax", 0, lc=curve)
     return made
 
 
-def _stepper(control: Element, *, dtmax: str | float, max_retries: int, cutback: float) -> None:
+def _stepper(control: Element, dtmax: str | float, max_retries: int) -> None:
     """Let FEBio take steps of size `dtmax` throughout, and a part of it where one fails."""
     for old in control.findall("time_stepper"):
         control.remove(old)
     made = etree.SubElement(control, "time_stepper", type="default")
     given = {"max_retries": max_retries, "opt_iter": 10**6, "dtmin": 0, "dtmax": dtmax}
-    for tag, value in (given | {"aggressiveness": 1, "cutback": cutback, "dtforce": 1}).items():
+    for tag, value in (given | {"aggressiveness": 1, "cutback": CUT, "dtforce": 1}).items():
         xml.put(made, tag, value)

@@ -1,7 +1,5 @@
 """The page with a row for each run of the pages of evidence: docs/reference/runs.md."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The scenes, one entry each: what it stands for, its bodies, its load, and FEBio's interface between them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -112,47 +110,31 @@ def porous(modulus: float = 1.0, solutes: tuple[Solute, ...] = (), kind: str | N
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene.
-
-    Attributes
-    ----------
-    about : str
-        What it stands for.
-    contact : str
-        FEBio's type of contact.
-    params : tuple of Param
-        Its parameters.
-    slab, block : Material
-    elements, shape
-        See `slab_and_block`.
-    module : str
-    force : float, optional
-        N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved.
-    slides : bool
-        Whether the block slides after it has been pressed.
-    dynamic : bool
-    primary : str
-        Its surface is the primary one.
-    stepper : bool
-        Whether steps adapt themselves.
-    fineness : int
-        Of the mesh; see `slab_and_block`.
-    """
+    """A scene."""
 
     about: str
+    """What it stands for."""
     contact: str = "sliding-elastic"
+    """FEBio's type of contact."""
     params: tuple[Param, ...] = ()
+    """Its parameters."""
     slab: Material | Xml = field(default_factory=elastic)
     block: Material | Xml = field(default_factory=lambda: elastic(2.0))
     elements: Elements = Elements.HEX8
     shape: Shape = Shape.CYLINDER
+    """See `slab_and_block`."""
     module: str = "solid"
     force: float | None = None
+    """N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved."""
     slides: bool = False
+    """Whether the block slides after it has been pressed."""
     dynamic: bool = False
     primary: str = LOWER
+    """Its surface is the primary one."""
     stepper: bool = True
+    """Whether steps adapt themselves."""
     fineness: int = 1
+    """Of the mesh; see `slab_and_block`."""
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""
@@ -163,28 +145,18 @@ class Scene:
         solutes = sorted({solute.sol for body in (self.slab, self.block) for solute in body.solutes})
         ambient = tuple(_ambient(self.contact, sol) for sol in solutes)
         stepper = TimeStepper(0.1, retries=8, optimal_iterations=15) if self.stepper else None
+        gap, steps = GAP if self.force is None else -OVERLAP, 20 if self.slides else 10
+        analysis = "DYNAMIC" if self.dynamic else None
         # One material may stand for any of the types: a model writes what it is given.
         materials: dict[str, Material] = {SLAB: self.slab, BLOCK: self.block}  # type: ignore[dict-item]
         return Model(
             name=name,
             header=self.about,
             module=self.module,
-            mesh=mesh(
-                self.elements,
-                self.shape,
-                self.primary,
-                GAP if self.force is None else -OVERLAP,
-                Cells().times(self.fineness),
-            ),
+            mesh=mesh(self.elements, self.shape, self.primary, gap, Cells().times(self.fineness)),
             materials=materials,
             conditions=tuple(self._conditions(solutes)),
-            control=Control(
-                20 if self.slides else 10,
-                0.1,
-                reformations=25,
-                stepper=stepper,
-                analysis="DYNAMIC" if self.dynamic else None,
-            ),
+            control=Control(steps, 0.1, reformations=25, stepper=stepper, analysis=analysis),
             contacts=(Contact(self.contact, PAIR, (*self.params, *ambient)),),
             curves=(Curve(((0.0, 0.0), (1.0, 1.0))), Curve(((0.0, 0.0), (1.0, 0.0), (2.0, 1.0)))),
         )
@@ -206,13 +178,10 @@ class Scene:
             if rigid:
                 return [hold_rigid(BLOCK, "xyuvw"), push_rigid(BLOCK, "z", -self.force, 1)]
             return [fix(LOADED, "xy"), normal_load(LOADED, self.force, 1)]
-        free = "yuvw" if self.slides else "xyuvw"
-        along = "y" if self.slides else "xy"
-        if rigid:
-            moves = [hold_rigid(BLOCK, free), move_rigid(BLOCK, "z", -DEPTH, 1)]
-            return [*moves, move_rigid(BLOCK, "x", SLIDE, 2)] if self.slides else moves
-        moves = [fix(LOADED, along), displace(LOADED, "z", -DEPTH, 1)]
-        return [*moves, displace(LOADED, "x", SLIDE, 2)] if self.slides else moves
+        held = "y" if self.slides else "xy"
+        move, where = (move_rigid, BLOCK) if rigid else (displace, LOADED)
+        slide = [move(where, "x", SLIDE, 2)] if self.slides else []
+        return [hold_rigid(BLOCK, f"{held}uvw") if rigid else fix(LOADED, held), move(where, "z", -DEPTH, 1), *slide]
 
 
 def _ambient(contact: str, sol: int) -> Param:
@@ -220,15 +189,9 @@ def _ambient(contact: str, sol: int) -> Param:
     return Param("ambient_concentration", 0.5, attributes=attributes)
 
 
-def _penalty(
-    value: float, *extra: Param, solvent: float | None = None, solute: float | None = None
-) -> tuple[Param, ...]:
+def _penalty(value: float, *extra: Param) -> tuple[Param, ...]:
     """Automatic penalties with factors, as users set them."""
     found = [Param("laugon", "PENALTY"), Param("auto_penalty", True), Param("penalty", value)]
-    if solvent is not None:
-        found.append(Param("pressure_penalty", solvent))
-    if solute is not None:
-        found.append(Param("concentration_penalty", solute))
     replaced = {param.tag for param in extra}
     return (*(param for param in found if param.tag not in replaced), *extra)
 
@@ -291,7 +254,7 @@ def _mixtures() -> dict[str, Scene]:
     wet = Scene(
         "biphasic bodies",
         contact="sliding-biphasic",
-        params=_penalty(10.0, Param("symmetric_stiffness", False), solvent=10.0),
+        params=_penalty(10.0, Param("pressure_penalty", 10.0), Param("symmetric_stiffness", False)),
         module="biphasic",
         slab=porous(),
         block=porous(2.0),
@@ -300,7 +263,11 @@ def _mixtures() -> dict[str, Scene]:
         wet,
         contact="sliding-biphasic-solute",
         module="solute",
-        params=_penalty(10.0, Param("symmetric_stiffness", False), solvent=10.0, solute=10.0),
+        params=_penalty(
+            10.0,
+            *(Param(f"{field}_penalty", 10.0) for field in ("pressure", "concentration")),
+            Param("symmetric_stiffness", False),
+        ),
         slab=porous(1.0, SOLUTE, "biphasic-solute"),
         block=porous(2.0, SOLUTE, "biphasic-solute"),
     )

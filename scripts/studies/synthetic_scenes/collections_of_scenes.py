@@ -1,7 +1,5 @@
 """The collections of scenes, what is run of each, and where its results stand."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -9,11 +7,18 @@ from pathlib import Path
 
 from studies.pages import reported_results, scene_results
 from studies.pages.scene_results import Results, Row
-from studies.synthetic_scenes import comparison
-from studies.synthetic_scenes.all_scenes import SCENES
+from studies.synthetic_scenes import collection_of_scenes, comparison, drawn_scenes, scenes_of_files
 from studies.synthetic_scenes.comparison import Written
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 from studies.synthetic_scenes.varied_scenes import SCENES as VARIED
+
+SCENES: Mapping[str, Written] = {
+    **collection_of_scenes.SCENES,
+    **scenes_of_files.SCENES,
+    **drawn_scenes.SCENES,
+    **scenes_of_files.RUBBING,
+}
+"""Every scene of `Collection.BLOCKS`, by name."""
 
 
 class Collection(str, Enum):
@@ -29,27 +34,18 @@ class Collection(str, Enum):
 
 @dataclass(frozen=True)
 class Study:
-    """What a collection is run for.
-
-    Attributes
-    ----------
-    scenes : mapping of str to Written
-    ways : sequence of str
-        Names of `comparison.WAYS`.
-    data : Path, optional
-        Below docs/; None where nothing is kept.
-    pages : mapping of str to callable
-        Generated pages below docs/.
-    summary, table : callable
-        What the results come to.
-    """
+    """What a collection is run for."""
 
     scenes: Mapping[str, Written]
     ways: Sequence[str]
+    """Names of `comparison.WAYS`."""
     data: Path | None
+    """Below docs/; None where nothing is kept."""
     pages: Mapping[str, Callable[[Results], str]]
+    """Generated pages below docs/."""
     summary: Callable[[Sequence[Row]], str]
     table: Callable[[Sequence[Row]], str]
+    """What the results come to."""
 
 
 STUDIES: Mapping[Collection, Study] = {

@@ -1,7 +1,5 @@
 """The command `synthetic-scenes`: scenes written here of what models of users hold, beside FEBio's interfaces."""
 
-from __future__ import annotations
-
 import os
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A scene with FEBio's interface, converted, with the penalties deleted, and with the predictor as well."""
 
-from __future__ import annotations
-
 import math
 import shutil
 from collections.abc import Callable, Iterable, Mapping

@@ -1,7 +1,5 @@
 """Scenes of shells, of two rigid bodies and of modules with a fluid: what slab and block have no words for."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 
@@ -111,4 +109,3 @@ SCENES: Mapping[str, Drawn] = {
     "stacked": Drawn("three bodies, two contacts", _stacked),
     "slot-closes": Drawn("a surface in contact with itself", _slotted),
 }
-"""By name."""

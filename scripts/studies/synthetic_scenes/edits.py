@@ -1,14 +1,16 @@
-"""What a model file says that the builders have no words for: a change of its XML, one function each."""
+"""What a model file says that the builders have no words for: a change of its XML, one function each.
 
-from __future__ import annotations
+The last two arguments are those of an `Edit`; what comes before them is bound first.
+"""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from copy import deepcopy
 from pathlib import Path
 
 from lxml import etree
 
-from studies.feb import Element, only
+from studies.feb import Element, only, put
+from studies.models.small import curve, surface_pair
 from studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, SLAB, UPPER
 
 Edit = Callable[[Element, Path], None]
@@ -19,75 +21,53 @@ def _xml(text: str) -> Element:
     return etree.fromstring(text)
 
 
-def solver(**values: str) -> Edit:
+def solver(values: Mapping[str, str], root: Element, _: Path) -> None:
     """Sets parameters of the solver, such as `lstol`."""
-
-    def edit(root: Element, _: Path) -> None:
-        section = only(root, "Control/solver")
-        for tag, value in values.items():
-            found = section.find(tag)
-            (found if found is not None else etree.SubElement(section, tag)).text = value
-
-    return edit
+    for tag, value in values.items():
+        put(only(root, "Control/solver"), tag, value)
 
 
-def explicit_dynamics(steps: int) -> Edit:
+def explicit_dynamics(steps: int, root: Element, _: Path) -> None:
     """FEBio's explicit solver, with this many equal steps over the same time, and some damping."""
-
-    def edit(root: Element, _: Path) -> None:
-        only(root, "Module").set("type", "explicit-solid")
-        control = only(root, "Control")
-        number, size = only(control, "time_steps"), only(control, "step_size")
-        size.text = f"{int(number.text or '') * float(size.text or '') / steps:g}"
-        number.text = str(steps)
-        only(control, "analysis").text = "DYNAMIC"
-        control.remove(only(control, "time_stepper"))
-        lumped = '<solver type="explicit-solid"><mass_lumping>2</mass_lumping><dyn_damping>0.99</dyn_damping></solver>'
-        control.replace(only(control, "solver"), _xml(lumped))
-
-    return edit
+    only(root, "Module").set("type", "explicit-solid")
+    control = only(root, "Control")
+    number, size = only(control, "time_steps"), only(control, "step_size")
+    size.text = f"{int(number.text or '') * float(size.text or '') / steps:g}"
+    number.text = str(steps)
+    only(control, "analysis").text = "DYNAMIC"
+    control.remove(only(control, "time_stepper"))
+    lumped = '<solver type="explicit-solid"><mass_lumping>2</mass_lumping><dyn_damping>0.99</dyn_damping></solver>'
+    control.replace(only(control, "solver"), _xml(lumped))
 
 
-def updates(method: str, number: int) -> Edit:
+def updates(method: str, number: int, root: Element, _: Path) -> None:
     """A quasi-Newton method with this many updates between two matrices."""
-
-    def edit(root: Element, _: Path) -> None:
-        found = only(root, "Control/solver/qn_method")
-        found.set("type", method)
-        only(found, "max_ups").text = str(number)
-
-    return edit
+    found = only(root, "Control/solver/qn_method")
+    found.set("type", method)
+    only(found, "max_ups").text = str(number)
 
 
-def in_contact(**values: str) -> Edit:
+def in_contact(values: Mapping[str, str], root: Element, _: Path) -> None:
     """Sets parameters of the contact."""
-
-    def edit(root: Element, _: Path) -> None:
-        for contact in root.iterfind("Contact/contact"):
-            for tag, value in values.items():
-                etree.SubElement(contact, tag).text = value
-
-    return edit
+    for contact in root.iterfind("Contact/contact"):
+        for tag, value in values.items():
+            etree.SubElement(contact, tag).text = value
 
 
-def two_steps(active: tuple[int, ...]) -> Edit:
+def two_steps(active: tuple[int, ...], root: Element, _: Path) -> None:
     """Two steps of half the time steps each, with the contact in the steps `active` alone."""
-
-    def edit(root: Element, _: Path) -> None:
-        control, contact = only(root, "Control"), only(root, "Contact")
-        half = only(control, "time_steps")
-        half.text = str(int(half.text or "") // 2)
-        section = etree.Element("Step")
-        for number in (1, 2):
-            step = etree.SubElement(section, "step", id=str(number), name=f"step{number}")
-            step.append(deepcopy(control))
-            if number in active:
-                step.append(deepcopy(contact))
-        root.remove(control)
-        only(root, "LoadData").addprevious(section)
-        root.remove(contact)
-
-    return edit
+    control, contact = only(root, "Control"), only(root, "Contact")
+    half = only(control, "time_steps")
+    half.text = str(int(half.text or "") // 2)
+    section = etree.Element("Step")
+    for number in (1, 2):
+        step = etree.SubElement(section, "step", id=str(number), name=f"step{number}")
+        step.append(deepcopy(control))
+        if number in active:
+            step.append(deepcopy(contact))
+    root.remove(control)
+    only(root, "LoadData").addprevious(section)
+    root.remove(contact)
 
 
 def mesh_from_file(root: Element, folder: Path) -> None:
@@ -112,8 +92,7 @@ def by_part_lists(root: Element, _: Path) -> None:
 
 def pressure_on_the_contact(root: Element, _: Path) -> None:
     """Prescribes the fluid pressure on the surface of the slab, also where the block touches it."""
-    section = only(root, "Boundary")
-    section.append(_xml(f'<bc type="zero fluid pressure" node_set="{UPPER}"/>'))
+    only(root, "Boundary").append(_xml(f'<bc type="zero fluid pressure" node_set="{UPPER}"/>'))
 
 
 def body_force(root: Element, _: Path) -> None:
@@ -133,9 +112,8 @@ def penalty_follows_a_curve(root: Element, _: Path) -> None:
 
 def both_ways(root: Element, _: Path) -> None:
     """A second contact between the same surfaces, the other way round, in place of two passes."""
-    mesh, section = only(root, "Mesh"), only(root, "Contact")
-    pair = f'<SurfacePair name="back"><primary>{UPPER}</primary><secondary>{LOWER}</secondary></SurfacePair>'
-    mesh.append(_xml(pair))
+    section = only(root, "Contact")
+    only(root, "Mesh").append(_xml(surface_pair("back", UPPER, LOWER)))
     second = deepcopy(only(section, "contact"))
     second.set("name", "back")
     second.set("surface_pair", "back")
@@ -147,10 +125,4 @@ def must_points(root: Element, _: Path) -> None:
     stepper = only(root, "Control/time_stepper/dtmax")
     stepper.set("lc", "3")
     stepper.text = "1"
-    points = "".join(f"<pt>{t},{dt}</pt>" for t, dt in ((0, 0.05), (0.5, 0.2), (1, 0.2)))
-    only(root, "LoadData").append(
-        _xml(
-            '<load_controller id="3" type="loadcurve"><interpolate>STEP</interpolate><extend>CONSTANT</extend>'
-            f"<points>{points}</points></load_controller>"
-        )
-    )
+    only(root, "LoadData").append(_xml(curve(3, (0, 0.05), (0.5, 0.2), (1, 0.2), interpolate="STEP")))

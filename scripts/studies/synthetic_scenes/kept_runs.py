@@ -1,7 +1,5 @@
 """Runs that are kept beside their models, so that a study that was interrupted goes on where it was."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Sequence

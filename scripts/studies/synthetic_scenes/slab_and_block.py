@@ -52,16 +52,14 @@ FACES_OF: dict[int, tuple[tuple[int, ...], ...]] = {4: TET_FACES, 6: _PENTA_FACE
 """By the number of corners of an element: corners of its faces, counterclockwise seen from outside."""
 
 
-def prisms(body: Body) -> Body:
-    """Two upright ones in each hexahedron."""
+def cut(body: Body, element: str) -> Body:
+    """Hexahedra cut into the corners of an element: six tetrahedra, two upright prisms, or as they are."""
+    if element.startswith("tet"):
+        return tetrahedra(body)
+    if not element.startswith("penta"):
+        return body
     halves = np.array([(0, 1, 3, 4, 5, 7), (1, 2, 3, 5, 6, 7)])
     return Body(body.nodes, np.asarray(body.elements[:, halves].reshape(-1, 6), dtype=np.int64))
-
-
-def _of(kind: Elements, hexahedra: Body) -> Body:
-    if kind in (Elements.TET4, Elements.TET10):
-        return tetrahedra(hexahedra)
-    return prisms(hexahedra) if kind is Elements.PENTA6 else hexahedra
 
 
 def _facets(body: Body, height: float) -> Ids:
@@ -86,8 +84,8 @@ class Cells:
 
 def mesh(kind: Elements, shape: Shape, primary: str, gap: float, cells: Cells = Cells()) -> Mesh:
     """Slab (3 x 3 x 1 mm) and block (2 x 2 x 0.8 mm) at a distance `gap` (mm), whose meshes do not match."""
-    slab = _of(kind, box((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (cells.slab, cells.slab, cells.high)))
-    block = _of(kind, box((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (cells.block, cells.block, cells.high)))
+    slab = cut(box((-1.5, -1.5, 0.0), (1.5, 1.5, 1.0), (cells.slab, cells.slab, cells.high)), kind.value)
+    block = cut(box((-1.0, -1.0, 0.0), (1.0, 1.0, 1.0), (cells.block, cells.block, cells.high)), kind.value)
     surfaces = {
         UPPER: (slab, 1.0, 0),
         BASE: (slab, 0.0, 0),

@@ -1,7 +1,5 @@
 """Reported scenes with materials, parameters of contact, sides and solver drawn at random, from seeds."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -10,8 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from studies.models.small import Scheme
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import TWO_PASS, Material, auglag, auto, friction
 
 Random = np.random.Generator
@@ -26,12 +25,7 @@ MOST_FRICTION, LARGEST_RATIO = 0.5, 0.49
 
 @dataclass(frozen=True)
 class Varied:
-    """The scene of a seed.
-
-    Attributes
-    ----------
-    seed : int
-    """
+    """The scene of a seed."""
 
     seed: int
 
@@ -121,4 +115,3 @@ def _scheme(scheme: Scheme, random: Random) -> Scheme:
 
 
 SCENES: Mapping[str, Varied] = {f"seed-{seed:03d}": Varied(seed) for seed in range(SEEDS)}
-"""By name."""

@@ -1,7 +1,5 @@
 """The command that runs the gallery and writes its page."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 
@@ -26,7 +24,7 @@ def gallery(
 
     The page keeps the other models with --only if the same plugin and FEBio made their results.
     """
-    known = {entry.model.name: entry for entry in entries.entries()}
+    known = {entry.model.name: entry for entry in entries.ENTRIES}
     names = chosen(only, known)
     runner, stamp = Runner(RESULTS / "gallery" / "runs"), stamps.stamp()
     records = page.made_alike(folder, stamp)

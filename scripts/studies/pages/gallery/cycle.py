@@ -1,7 +1,5 @@
 """Draws one cycle of the joint as an animation: fluid pressure over the deformed bodies, and the force."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Draws what the gallery shows of a model: concentration over the deformed bodies, and curves over time."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from itertools import cycle
 from pathlib import Path
@@ -76,15 +74,8 @@ def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
         x, y = positions[np.unique(section.facets(mesh, part.elements))][:, [section.across, section.up]].T
         middle = 0.0 if section.mirrored else 0.5 * (x.min() + x.max())
         near = y[np.abs(x - middle) <= np.abs(x - middle).min() + 0.05 * np.ptp(x)]
-        axes.text(
-            middle,
-            0.5 * (near.min() + near.max()),
-            part.name,
-            fontsize=NAMES,
-            ha="center",
-            va="center",
-            bbox=BOX,
-        )
+        level = 0.5 * (near.min() + near.max())
+        axes.text(middle, level, part.name, fontsize=NAMES, ha="center", va="center", bbox=BOX)
 
 
 def _scale(axes: Axes) -> None:

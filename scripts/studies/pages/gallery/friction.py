@@ -1,7 +1,5 @@
 """The pictures of friction: mu_eff of a plate on a layer over time, and a joint with its stick and slip zones."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -54,15 +52,8 @@ def draw_plate(runs: dict[float, RunResult], path: Path) -> Path:
     for (phi, run), colour, marker in zip(runs.items(), COLOURS, MARKERS, strict=True):
         tau, found, exact = plate_curve(run, phi)
         axes.semilogx(tau, exact, "-", color=colour, linewidth=1.4)
-        axes.semilogx(
-            tau[::8],
-            found[::8],
-            marker,
-            color=colour,
-            markersize=4,
-            markerfacecolor="white",
-            label=rf"$\varphi$ = {phi:g}",
-        )
+        look = {"color": colour, "markersize": 4, "markerfacecolor": "white", "label": rf"$\varphi$ = {phi:g}"}
+        axes.semilogx(tau[::8], found[::8], marker, **look)
     axes.set(xlabel=r"$H\,k\,t/h^2$", ylabel=r"$\mu_\mathrm{eff}/\mu_\mathrm{eq}$", ylim=(0.0, 1.05))
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False)

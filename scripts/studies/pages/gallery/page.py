@@ -1,7 +1,5 @@
 """The page of the gallery and the numbers on it: docs/gallery.md and docs/data/gallery.json."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping
@@ -22,14 +20,7 @@ PAGE, DATA, IMAGES = "gallery.md", "data/gallery.json", "images/gallery"
 
 @dataclass(frozen=True)
 class Record:
-    """What a run took.
-
-    Attributes
-    ----------
-    nodes, elements, steps, iterations, retries : int
-    cpu : float
-        Processor time, s, one thread.
-    """
+    """What a run took."""
 
     nodes: int
     elements: int
@@ -37,6 +28,7 @@ class Record:
     iterations: int
     retries: int
     cpu: float
+    """Processor time, s, one thread."""
 
 
 @dataclass(frozen=True)
@@ -92,17 +84,15 @@ def write(folder: Path, results: Results) -> list[Path]:
 
 
 def _recorded(records: Mapping[str, Record]) -> list[Entry]:
-    return [entry for entry in entries.entries() if entry.model.name in records]
+    return [entry for entry in entries.ENTRIES if entry.model.name in records]
 
 
 def page(results: Results) -> str:
-    """The text of the page, with those models that have a record."""
+    """The text of the page, with those models that have a record; friction has pictures of its own."""
     entries = _recorded(results.records)
-    sections = [*(_section(entry) for entry in entries), _friction()]
-    return "\n\n".join([_INTRODUCTION, _table(entries, results), *sections]) + "\n"
-
-
-_INTRODUCTION = page_text("gallery").rstrip()
+    rubbing = zip(friction.MODELS, friction.PICTURES.items(), strict=True)
+    sections = [*map(_section, entries), "## Friction", *(_pictured(model, *shown) for model, shown in rubbing)]
+    return "\n\n".join([page_text("gallery").rstrip(), _table(entries, results), *sections]) + "\n"
 
 
 def _table(entries: list[Entry], results: Results) -> str:
@@ -110,14 +100,10 @@ def _table(entries: list[Entry], results: Results) -> str:
     rows = []
     for entry in entries:
         r = results.records[entry.model.name]
+        anchor = re.sub(r"[^\w\- ]", "", entry.title.lower()).replace(" ", "-")  # as MkDocs and GitHub make it
         counts = (r.nodes, r.elements, r.steps, r.iterations, r.retries, f"{r.cpu:g}")
-        rows.append((f"[{entry.title}](#{_anchor(entry.title)})", *counts))
+        rows.append((f"[{entry.title}](#{anchor})", *counts))
     return f"{tables.markdown(heads, rows)}\n\nThe runs used {results.stamp}. Only the last model sets a penalty."
-
-
-def _anchor(title: str) -> str:
-    """What MkDocs and GitHub make of a heading."""
-    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
 def _section(entry: Entry) -> str:
@@ -125,7 +111,8 @@ def _section(entry: Entry) -> str:
     pictures = {f"{name}-section.png": "Concentration in a section"}
     if name == cycle.MODEL:
         pictures[cycle.PICTURE] = cycle.TITLE
-    pictures[f"{name}-curves.png"] = _curves(entry)
+    shown_curves = "Solute, concentrations and force" if entry.driven else "Solute and concentrations"
+    pictures[f"{name}-curves.png"] = f"{shown_curves} over time"
     shown = "\n\n".join(f"![{alt}]({IMAGES}/{picture})" for picture, alt in pictures.items())
     return f"""\
 ## {entry.title}
@@ -139,22 +126,8 @@ scripts/mixcontact run models/{name}.feb
 {shown}"""
 
 
-def _friction() -> str:
-    """The section on friction, whose pictures are of their own."""
-    shown = zip(friction.MODELS, friction.PICTURES.items(), strict=True)
-    return "\n\n".join(["## Friction", *(_pictured(model, picture, alt) for model, (picture, alt) in shown)])
-
-
 def _pictured(model: Model, picture: str, alt: str) -> str:
-    """A model with its one picture, and a description of that."""
+    """A model with its one picture, and a description of that; the head of its file begins with what it shows."""
     run = f"```console\nscripts/mixcontact run models/{model.name}.feb\n```"
-    return f"{_shows(model)}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"
-
-
-def _curves(entry: Entry) -> str:
-    return "Solute, concentrations and force over time" if entry.driven else "Solute and concentrations over time"
-
-
-def _shows(model: Model) -> str:
-    """The first paragraph of the head of the model file."""
-    return model.header.split("\n\n")[0]
+    shows = model.header.split("\n\n")[0]
+    return f"{shows}\n\n{run}\n\n![{alt}]({IMAGES}/{picture})"

@@ -1,7 +1,5 @@
 """What the generated pages say beside their tables, a Markdown file each, and how it is read."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 FOLDER = Path(__file__).parent

@@ -1,17 +1,15 @@
 """Bodies that joints, springs, weights and shells hold, contact that begins in a later step, and rolling bodies."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
 
-from studies.models.small import fixed, moved, step
+from studies.models.small import Scheme, fixed, moved, step
 from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, shell, shifted, turned
-from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -36,6 +34,8 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.5)
+USUALLY = auto(1.0, NEAR)
+"""Parameters of a contact that a scene does not say otherwise."""
 TENSION = "<tension>1</tension>"
 _CONTROL = re.compile(r"<Control>.*?</Control>", re.DOTALL)
 _CONTACT = re.compile(r"<Contact>.*?</Contact>", re.DOTALL)
@@ -65,7 +65,7 @@ class InTwoSteps(Sketch):
         return _CONTACT.sub("", _CONTROL.sub("", whole)).replace("<LoadData>", f"{steps}<LoadData>")
 
 
-def later(params: str, kind: str = "sliding-elastic") -> Sketch:
+def later(kind: str = "sliding-elastic") -> Sketch:
     """A block is bent in one step; in the next one, contact with a cylinder below it begins, and it is pressed down."""
     return InTwoSteps(
         {
@@ -73,7 +73,7 @@ def later(params: str, kind: str = "sliding-elastic") -> Sketch:
             "roller": mapped((1, 24, 2), cylinder(0.5, 1.0, (0, 0, -0.5))),
         },
         {"block": neo(2.0), "roller": rigid((0, 0, -0.5))},
-        (Touch("block-z0", "roller-x1", kind, params),),
+        (Touch("block-z0", "roller-x1", kind, USUALLY),),
         (
             fixed("block-x0", "x", "y"),
             fixed("block-x1", "y"),
@@ -85,7 +85,7 @@ def later(params: str, kind: str = "sliding-elastic") -> Sketch:
     )
 
 
-def hinged(params: str, mu: float = 0.0) -> Sketch:
+def hinged(params: str = USUALLY) -> Sketch:
     """A rigid lever, which a joint holds at one end, is pressed onto a soft block by a force at its middle."""
     inner = (
         "<tolerance>0</tolerance><gaptol>1e-4</gaptol><angtol>1e-4</angtol><force_penalty>1e3</force_penalty>"
@@ -101,7 +101,7 @@ def hinged(params: str, mu: float = 0.0) -> Sketch:
             "post": mapped((1, 1, 1), box((-1.8, -0.2, 0.1), (-1.4, 0.2, 0.5))),
         },
         {"block": neo(), "lever": rigid((0, 0, 0.5)), "post": rigid((-1.6, 0, 0.3))},
-        (Touch("block-z1", "lever-x1", params=params + (friction(mu) if mu else "")),),
+        (Touch("block-z1", "lever-x1", params=params),),
         (
             fixed("block-z0"),
             hold("post"),
@@ -111,7 +111,7 @@ def hinged(params: str, mu: float = 0.0) -> Sketch:
     )
 
 
-def sprung(params: str, first: str = "ball") -> Sketch:
+def sprung(first: str = "ball") -> Sketch:
     """A rigid ball on springs of a rigid body is brought down onto a soft slab: springs alone hold it sideways."""
     spring = (
         '<rigid_connector type="rigid spring" name="spring{n}"><body_a>hand</body_a><body_b>ball</body_b>'
@@ -128,12 +128,12 @@ def sprung(params: str, first: str = "ball") -> Sketch:
             "hand": mapped((1, 1, 1), box((-0.4, -0.4, 1.6), (0.4, 0.4, 1.8))),
         },
         {"slab": neo(), "ball": rigid((0, 0, 0.8)), "hand": rigid((0, 0, 1.7))},
-        (Touch(*sides, params=params),),
+        (Touch(*sides, params=USUALLY),),
         (fixed("slab-z0"), hold("hand", "xyuvw"), hold("ball", "xyuvw"), shift("hand", "z", -0.4), *springs),
     )
 
 
-def rolls(params: str) -> Sketch:
+def rolls() -> Sketch:
     """A rigid cylinder under a force is drawn over a slab by a force of friction: it rolls."""
     return Sketch(
         {
@@ -141,7 +141,7 @@ def rolls(params: str) -> Sketch:
             "roller": mapped((1, 36, 2), cylinder(0.8, 0.6, (0, 0, 0.79))),
         },
         {"slab": neo(2.0), "roller": rigid((0, 0, 0.79))},
-        (Touch("slab-z1", "roller-x1", params=params),),
+        (Touch("slab-z1", "roller-x1", params=USUALLY + friction(0.5)),),
         (fixed("slab-z0"), hold("roller", "yuw"), push("roller", "z", -0.05, 4), spin("roller", "Rv", 1.5, 2)),
         Scheme(40, 0.05),
     )
@@ -151,16 +151,14 @@ def rolls(params: str) -> Sketch:
 class Hertz:
     """Half a ball is moved onto a block, both of the same element."""
 
-    element: str
-    params: str
-    material: Material = ("", "")
+    element: str = "hex8"
+    params: str = USUALLY
+    material: Material = field(default_factory=neo)
     scheme: Scheme = USUAL
     depth: float = 0.12
 
     def __call__(self) -> Sketch:
-        """The model."""
         fine = self.element in ("hex8", "tet4", "penta6")
-        material = self.material if self.material[0] else neo()
 
         def half(u: np.ndarray) -> np.ndarray:
             points = box((-0.7, -0.7, 0.0), (0.7, 0.7, 0.7))(u)
@@ -172,25 +170,23 @@ class Hertz:
                 "block": mapped((8, 8, 4) if fine else (4, 4, 2), box((-1, -1, -0.8), (1, 1, 0)), self.element),
                 "ball": mapped((6, 6, 4) if fine else (3, 3, 2), half, self.element),
             },
-            {"block": neo(), "ball": material},
+            {"block": neo(), "ball": self.material},
             (Touch("ball-z0", "block-z1", params=self.params),),
             (fixed("block-z0"), fixed("ball-z1", "x", "y"), moved("ball-z1", "z", -self.depth)),
             self.scheme,
         )
 
 
-def skin_on_foam(params: str, element: str = "quad4") -> Sketch:
+def skin_on_foam(element: str = "quad4") -> Sketch:
     """A stiff shell lies on a soft block, and a rigid ball presses both: two contacts, the shell between them."""
-    cells = (8, 8)
-    lies = box((-1, -1, 0.0), (1, 1, 0.0))
     return Sketch(
         {
             "foam": mapped((8, 8, 4), box((-1.1, -1.1, -1), (1.1, 1.1, -0.005))),
-            "skin": shell(cells, lies, 0.05, element),
+            "skin": shell((8, 8), box((-1, -1, 0.0), (1, 1, 0.0)), 0.05, element),
             "ball": mapped((4, 4, 4), shifted(ball(0.6), (0, 0, 0.6))),
         },
         {"foam": neo(0.5), "skin": neo(20.0), "ball": rigid((0, 0, 0.6))},
-        (Touch("skin-back", "foam-z1", params=params), Touch("skin-face", "ball-outside", params=params)),
+        (Touch("skin-back", "foam-z1", params=USUALLY), Touch("skin-face", "ball-outside", params=USUALLY)),
         (
             fixed("foam-z0"),
             fixed("skin-x0", "y"),
@@ -201,7 +197,7 @@ def skin_on_foam(params: str, element: str = "quad4") -> Sketch:
     )
 
 
-def peeled(params: str, kind: str = "sliding-elastic") -> Sketch:
+def peeled() -> Sketch:
     """A strip that tension holds on a block is pulled up at one end."""
     return Sketch(
         {
@@ -209,27 +205,26 @@ def peeled(params: str, kind: str = "sliding-elastic") -> Sketch:
             "strip": mapped((14, 2, 1), box((-1.0, -0.3, 0), (1.0, 0.3, 0.2))),
         },
         {"block": neo(2.0), "strip": neo(1.0)},
-        (Touch("strip-z0", "block-z1", kind, params),),
+        (Touch("strip-z0", "block-z1", params=USUALLY + TENSION),),
         (fixed("block-z0"), fixed("strip-x0", "x", "y"), fixed("strip-x1", "y"), moved("strip-x1", "z", 0.15)),
     )
 
 
-def dropped(params: str, friction_: float = 0.0) -> Sketch:
+def dropped(mu: float = 0.0) -> Sketch:
     """A soft ball falls by its weight, askew, onto a slab; implicit dynamics."""
-    heavy = neo(0.5, 0.4, 1e-6)
     return Sketch(
         {
             "slab": mapped((8, 8, 2), box((-1.5, -1.5, -0.6), (1.5, 1.5, 0))),
             "ball": mapped((5, 5, 5), shifted(ball(0.7), (0, 0, 0.75))),
         },
-        {"slab": neo(2.0, 0.3, 1e-6), "ball": heavy},
-        (Touch("ball-outside", "slab-z1", params=params + (friction(friction_) if friction_ else "")),),
-        (fixed("slab-z0"), thrown("ball", (100.0 if friction_ else 0.0, 0.0, -150.0))),
+        {"slab": neo(2.0, 0.3, 1e-6), "ball": neo(0.5, 0.4, 1e-6)},
+        (Touch("ball-outside", "slab-z1", params=USUALLY + (friction(mu) if mu else "")),),
+        (fixed("slab-z0"), thrown("ball", (100.0 if mu else 0.0, 0.0, -150.0))),
         Scheme(40, 1e-4, "DYNAMIC"),
     )
 
 
-def capped(params: str, force: float = 0.02) -> Sketch:
+def capped(force: float = 0.02) -> Sketch:
     """A rigid ball dents a shallow cap of shells until it snaps through."""
 
     def cap(u: np.ndarray) -> np.ndarray:
@@ -241,7 +236,7 @@ def capped(params: str, force: float = 0.02) -> Sketch:
     return Sketch(
         {"cap": shell((12, 12), cap, 0.04), "ball": mapped((5, 5, 5), shifted(ball(0.5), (0, 0, 0.77)))},
         {"cap": neo(10.0), "ball": rigid((0, 0, 0.77))},
-        (Touch("cap-face", "ball-outside", params=params),),
+        (Touch("cap-face", "ball-outside", params=USUALLY),),
         (*edges, hold("ball", "xyuvw"), shift("ball", "z", -0.5) if not force else push("ball", "z", -force)),
         Scheme(20, 0.05),
     )
@@ -264,72 +259,62 @@ def flat_pair(params: str, kind: str, module: str = "solid") -> Sketch:
     )
 
 
-def meniscus(params: str, force: float = 0.3) -> Sketch:
+def meniscus() -> Sketch:
     """A porous ring that friction alone would hold, soft springs aside, between a rigid ball and a porous layer."""
-    ring = shifted(arc(0.35, 0.75, 0.12), (0, 0, 0.065))
     return Sketch(
         {
             "layer": mapped((10, 10, 2), box((-1.2, -1.2, -0.4), (1.2, 1.2, 0))),
-            "ring": mapped((3, 20, 1), ring),
+            "ring": mapped((3, 20, 1), shifted(arc(0.35, 0.75, 0.12), (0, 0, 0.065))),
             "ball": mapped((6, 6, 6), shifted(ball(1.5, 1.0), (0, 0, 1.48))),
         },
         {"layer": biphasic(1.0, 0.1, 1e-3), "ring": biphasic(5.0, 0.1, 1e-3), "ball": rigid((0, 0, 1.5))},
-        (
-            Touch("ring-z1", "ball-z0", "sliding-biphasic", params),
-            Touch("ring-z0", "layer-z1", "sliding-biphasic", params),
-            Touch("layer-z1", "ball-z0", "sliding-biphasic", params),
+        tuple(
+            Touch(*sides, "sliding-biphasic", _FLUID)
+            for sides in (("ring-z1", "ball-z0"), ("ring-z0", "layer-z1"), ("layer-z1", "ball-z0"))
         ),
-        (fixed("layer-z0"), fixed("ring-x1", "x", "y"), hold("ball", "xyuvw"), push("ball", "z", -force)),
+        (fixed("layer-z0"), fixed("ring-x1", "x", "y"), hold("ball", "xyuvw"), push("ball", "z", -0.3)),
         module="biphasic",
     )
 
 
 _FLUID = auto(1.0, NEAR + fluid(1.0))
 SCENES: Mapping[str, Drawn] = {
-    "contact-begins-later": Drawn("contact begins in the second step of an analysis", partial(later, auto(1.0, NEAR))),
+    "contact-begins-later": Drawn("contact begins in the second step of an analysis", later),
     "contact-begins-later-facets": Drawn(
         "contact begins in the second step of an analysis, sliding-facet-on-facet",
-        partial(later, auto(1.0, NEAR), "sliding-facet-on-facet"),
+        partial(later, "sliding-facet-on-facet"),
     ),
-    "lever-on-hinge": Drawn("a rigid lever on a revolute joint presses a block", partial(hinged, auto(1.0, NEAR))),
+    "lever-on-hinge": Drawn("a rigid lever on a revolute joint presses a block", hinged),
     "lever-on-ball-joint-friction": Drawn(
         "a rigid lever on a revolute joint presses a block, friction 0.3, augmented",
-        partial(hinged, auglag(0.5, 0.1, NEAR), mu=0.3),
+        partial(hinged, auglag(0.5, 0.1, NEAR) + friction(0.3)),
     ),
-    "ball-on-springs": Drawn("a rigid ball on springs is brought onto a slab", partial(sprung, auto(1.0, NEAR))),
+    "ball-on-springs": Drawn("a rigid ball on springs is brought onto a slab", sprung),
     "ball-on-springs-slab-first": Drawn(
-        "a rigid ball on springs is brought onto a slab, which is the primary surface",
-        partial(sprung, auto(1.0, NEAR), first="slab"),
+        "a rigid ball on springs is brought onto a slab, which is the primary surface", partial(sprung, "slab")
     ),
-    "roller-rolls": Drawn(
-        "a rigid roller under a force turns and rolls, friction 0.5", partial(rolls, auto(1.0, NEAR + friction(0.5)))
-    ),
+    "roller-rolls": Drawn("a rigid roller under a force turns and rolls, friction 0.5", rolls),
     "hertz-hex27-gap": Drawn(
         "half a ball of hex27, augmented to a gap", Hertz("hex27", auglag(1.0, 0.0, NEAR + "<gaptol>1e-3</gaptol>"))
     ),
-    "hertz-tet15": Drawn("half a ball of tet15", Hertz("tet15", auto(1.0, NEAR))),
+    "hertz-tet15": Drawn("half a ball of tet15", Hertz("tet15")),
     "hertz-penta15-two-pass": Drawn("half a ball of penta15, two passes", Hertz("penta15", auto(1.0, NEAR + TWO_PASS))),
-    "hertz-hard": Drawn("half a ball 1000 times as stiff as the block", Hertz("hex8", auto(1.0, NEAR), neo(1000.0))),
+    "hertz-hard": Drawn("half a ball 1000 times as stiff as the block", Hertz(material=neo(1000.0))),
     "hertz-symmetric-default-solver": Drawn(
-        "half a ball, FEBio's default solver", Hertz("hex8", auto(1.0, NEAR), scheme=Scheme(updates=10, symmetric=None))
+        "half a ball, FEBio's default solver", Hertz(scheme=Scheme(updates=10, symmetric=None))
     ),
     "hertz-one-step": Drawn(
-        "half a Mooney-Rivlin ball, the whole load in two steps",
-        Hertz("hex8", auto(1.0, NEAR), mooney(), Scheme(2, 0.5)),
+        "half a Mooney-Rivlin ball, the whole load in two steps", Hertz(material=mooney(), scheme=Scheme(2, 0.5))
     ),
-    "skin-on-foam": Drawn("a shell on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR))),
+    "skin-on-foam": Drawn("a shell on a soft block under a rigid ball", skin_on_foam),
     "skin-on-foam-tri3": Drawn(
-        "a shell of triangles on a soft block under a rigid ball", partial(skin_on_foam, auto(1.0, NEAR), "tri3")
+        "a shell of triangles on a soft block under a rigid ball", partial(skin_on_foam, "tri3")
     ),
-    "peeled-tension": Drawn(
-        "a strip in contact with `tension` is pulled up", partial(peeled, auto(1.0, NEAR + TENSION))
-    ),
-    "dropped": Drawn("a soft ball falls onto a slab", partial(dropped, auto(1.0, NEAR))),
-    "dropped-friction": Drawn(
-        "a soft ball falls obliquely onto a slab, friction 0.3", partial(dropped, auto(1.0, NEAR), 0.3)
-    ),
-    "cap-snaps-by-force": Drawn("a force causes snap-through of a cap of shells", partial(capped, auto(1.0, NEAR))),
-    "cap-snaps": Drawn("a rigid ball dents a cap of shells", partial(capped, auto(1.0, NEAR), 0.0)),
+    "peeled-tension": Drawn("a strip in contact with `tension` is pulled up", peeled),
+    "dropped": Drawn("a soft ball falls onto a slab", dropped),
+    "dropped-friction": Drawn("a soft ball falls obliquely onto a slab, friction 0.3", partial(dropped, 0.3)),
+    "cap-snaps-by-force": Drawn("a force causes snap-through of a cap of shells", capped),
+    "cap-snaps": Drawn("a rigid ball dents a cap of shells", partial(capped, 0.0)),
     "node-on-facet-slides": Drawn(
         "a soft block on a stiff one, sliding-node-on-facet", partial(flat_pair, given(50.0), "sliding-node-on-facet")
     ),
@@ -344,7 +329,6 @@ SCENES: Mapping[str, Drawn] = {
         "a soft porous block on a stiffer one, AUGLAG with a small penalty",
         partial(flat_pair, auglag(0.1, 0.1, NEAR + fluid(0.1)), "sliding-biphasic", "biphasic"),
     ),
-    "meniscus": Drawn("a porous ring between a rigid ball and a porous layer", partial(meniscus, _FLUID)),
-    "ogden-hertz-deep": Drawn("half an Ogden ball, pressed deep", Hertz("hex8", auto(1.0, NEAR), ogden(), depth=0.35)),
+    "meniscus": Drawn("a porous ring between a rigid ball and a porous layer", meniscus),
+    "ogden-hertz-deep": Drawn("half an Ogden ball, pressed deep", Hertz(material=ogden(), depth=0.35)),
 }
-"""By name."""

@@ -1,13 +1,11 @@
 """Impacts, and elements that erode while they are in contact. Densities are in t/mm^3."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 
-from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import ball, box, mapped, shell, shifted
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.models.small import Scheme, fixed, moved
+from studies.synthetic_scenes.reported.shapes import ball, box, mapped, scaled, shell, shifted
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     auglag,
@@ -23,30 +21,27 @@ from studies.synthetic_scenes.reported.words import (
     thrown,
 )
 
+USUALLY = auto(1.0, radius(0.5))
+"""Parameters of a contact that a scene does not say otherwise."""
 FAST = Scheme(40, 2.5e-6, "DYNAMIC")
 """A wave crosses a millimetre in some 30 microseconds."""
 
 
 def impact(
-    params: str,
-    *,
-    wall: bool = False,
-    scheme: Scheme = FAST,
-    sides: tuple[str, str] = ("z0", "z1"),
+    params: str = USUALLY, *, wall: bool = False, scheme: Scheme = FAST, sides: tuple[str, str] = ("z0", "z1")
 ) -> Sketch:
     """A block is thrown onto another one, or onto a rigid wall."""
     slab = mapped((1, 1, 1) if wall else (6, 6, 3), box((-1, -1, -1), (1, 1, 0)))
-    held = hold("slab") if wall else fixed("slab-z0")
     return Sketch(
         {"slab": slab, "block": mapped((5, 5, 5), box((-0.7, -0.7, 0.02), (0.7, 0.7, 1.2)))},
         {"slab": rigid((0, 0, -0.5)) if wall else neo(2.0), "block": neo(1.0)},
         (Touch(f"block-{sides[0]}", f"slab-{sides[1]}", params=params),),
-        (held, thrown("block", (0.0, 0.0, -3000.0))),
+        (hold("slab") if wall else fixed("slab-z0"), thrown("block", (0.0, 0.0, -3000.0))),
         scheme,
     )
 
 
-def ball_bounces(params: str, along: float = 0.0) -> Sketch:
+def ball_bounces(params: str = USUALLY, along: float = 0.0) -> Sketch:
     """A ball is thrown at a slab, and leaves it again."""
     return Sketch(
         {
@@ -64,8 +59,7 @@ def bullet(surfaces: str, kind: str, params: str) -> Sketch:
     """A rigid plate of shells is driven into a block whose elements erode by their stress."""
     stress = '<criterion type="min-max filter"><min>0.15</min><clamp>0</clamp><data type="stress"/></criterion>'
     inner = f"<max_iters>1</max_iters><max_elems>3</max_elems><erode_surfaces>{surfaces}</erode_surfaces>{stress}"
-    flat = box((-0.35, -0.35, 0.01), (0.35, 0.35, 0.01))
-    head = shell((3, 3), lambda u: flat(u) * (-1.0, 1.0, 1.0), 0.1)
+    head = shell((3, 3), scaled(box((-0.35, -0.35, 0.01), (0.35, 0.35, 0.01)), (-1.0, 1.0, 1.0)), 0.1)
     return Sketch(
         {"bullet": head, "block": mapped((7, 7, 4), box((-1, -1, -1), (1, 1, 0)))},
         {"bullet": rigid((0, 0, 0.01)), "block": neo(1.0)},
@@ -89,7 +83,7 @@ def wears(criterion: str, surfaces: str) -> Sketch:
             "block": mapped((5, 3, 2), box((-0.8, -0.4, 0.005), (0.6, 0.4, 0.5))),
         },
         {"slab": neo(1.0), "block": neo(2.0)},
-        (Touch("block-z0", "slab-z1", params=auto(1.0, radius(0.5))),),
+        (Touch("block-z0", "slab-z1", params=USUALLY),),
         (
             fixed("slab-z0"),
             fixed("block-z1", "y"),
@@ -105,12 +99,11 @@ _GAP = '<criterion type="contact gap"><gap>{}</gap></criterion>'
 _CHOSEN = '<criterion type="element_selection"><value>1</value><element_list>{}</element_list></criterion>'
 
 SCENES: Mapping[str, Drawn] = {
-    "impact": Drawn("a block is thrown onto a block", partial(impact, auto(1.0, radius(0.5)))),
+    "impact": Drawn("a block is thrown onto a block", impact),
     "impact-outsides": Drawn(
-        "a block is thrown onto a block, whole outsides",
-        partial(impact, auto(1.0, radius(0.5)), sides=("outside", "outside")),
+        "a block is thrown onto a block, whole outsides", partial(impact, sides=("outside", "outside"))
     ),
-    "impact-wall": Drawn("a block is thrown onto a rigid wall", partial(impact, auto(1.0, radius(0.5)), wall=True)),
+    "impact-wall": Drawn("a block is thrown onto a rigid wall", partial(impact, wall=True)),
     "impact-two-pass-augmented": Drawn(
         "a block is thrown onto a block, two passes, AUGLAG with a small penalty",
         partial(impact, auglag(0.2, 0.1, TWO_PASS + radius(0.5))),
@@ -119,14 +112,13 @@ SCENES: Mapping[str, Drawn] = {
         "a block is thrown onto a block, numerical penalty, BFGS",
         partial(impact, given(20.0, radius(0.5)), scheme=Scheme(40, 2.5e-6, "DYNAMIC", updates=10)),
     ),
-    "ball-bounces": Drawn("a soft ball bounces off a slab", partial(ball_bounces, auto(1.0, radius(0.5)))),
+    "ball-bounces": Drawn("a soft ball bounces off a slab", ball_bounces),
     "ball-bounces-friction": Drawn(
         "a soft ball is thrown obliquely at a slab, friction 0.3",
-        partial(ball_bounces, auto(1.0, radius(0.5) + friction(0.3)), 2000.0),
+        partial(ball_bounces, USUALLY + friction(0.3), 2000.0),
     ),
     "bullet-erodes": Drawn(
-        "a rigid plate erodes a block by stress",
-        partial(bullet, "yes", "sliding-elastic", auto(1.0, radius(0.5))),
+        "a rigid plate erodes a block by stress", partial(bullet, "yes", "sliding-elastic", USUALLY)
     ),
     "bullet-erodes-facets": Drawn(
         "a rigid plate erodes a block by stress, surfaces that adapt, sliding-facet-on-facet",
@@ -138,4 +130,3 @@ SCENES: Mapping[str, Drawn] = {
     "erosion-away": Drawn("elements without contact erode", partial(wears, _CHOSEN.format("1,2,3"), "yes")),
     "erosion-in-contact": Drawn("elements in contact erode", partial(wears, _CHOSEN.format("38,40"), "yes")),
 }
-"""By name."""

@@ -1,12 +1,9 @@
 """Every scene of this collection, by name."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from studies.synthetic_scenes.reported import (
     assembled,
-    charged,
     dynamics,
     outsides,
     porous,
@@ -14,19 +11,18 @@ from studies.synthetic_scenes.reported import (
     rigid,
     slides,
     straps,
-    tubes,
 )
 from studies.synthetic_scenes.reported.sketch import Drawn
 
 SCENES: Mapping[str, Drawn] = {
     **straps.SCENES,
-    **tubes.SCENES,
+    **slides.TUBES,
     **outsides.SCENES,
     **slides.SCENES,
     **rigid.SCENES,
     **dynamics.SCENES,
     **porous.SCENES,
     **pressed.SCENES,
-    **charged.SCENES,
+    **porous.CHARGED,
     **assembled.SCENES,
 }

@@ -1,13 +1,11 @@
 """Whole outsides as surfaces, edges and leans, folded sheets and bodies that touch themselves."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
 
-from studies.models.small import fixed, moved
+from studies.models.small import Scheme, fixed, moved
 from studies.synthetic_scenes.reported.shapes import (
     Shape,
     arc,
@@ -21,7 +19,7 @@ from studies.synthetic_scenes.reported.shapes import (
     union,
     where,
 )
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import auglag, auto, hold, neo, ogden, press, radius, rigid, shift
 
 
@@ -35,7 +33,7 @@ def _base(shape: Shape, axis: int, value: float) -> Shape:
     return where(shape, base=lambda x: np.abs(x[..., axis] - value) < 1e-9)
 
 
-def boxes(updates: int = 0, params: str = "", element: str = "hex8", lean: float = 0.0) -> Sketch:
+def boxes(params: str = auto(5.0), element: str = "hex8", updates: int = 0, lean: float = 0.0) -> Sketch:
     """A box, whose sides may lean, is pressed into a wider one; both surfaces are whole outsides."""
     low = mapped((6, 6, 3), box((-1.5, -1.5, -1), (1.5, 1.5, 0)), element)
     upright = box((-0.8, -0.8, 0.01), (0.8, 0.8, 1.0))
@@ -48,7 +46,7 @@ def boxes(updates: int = 0, params: str = "", element: str = "hex8", lean: float
     return Sketch(
         {"low": low, "high": high},
         {"low": neo(1.0), "high": neo(2.0)},
-        (Touch("high-outside", "low-outside", params=params or auto(5.0)),),
+        (Touch("high-outside", "low-outside", params=params),),
         (fixed("low-z0"), fixed("high-z1", "x", "y"), moved("high-z1", "z", -0.2)),
         Scheme(updates=updates),
     )
@@ -67,7 +65,7 @@ def plate_on_slab(further: str = "") -> Sketch:
     )
 
 
-def corner(sides: bool, params: str) -> Sketch:
+def corner(sides: tuple[str, str]) -> Sketch:
     """A block is pushed into the inner corner of an L, on both of whose arms it then bears."""
     angle = _several(
         ((2, 4, 2), (-1, 0, -1), (0, 1, 0)),
@@ -80,11 +78,10 @@ def corner(sides: bool, params: str) -> Sketch:
     angle = union(angle, "arms", "inner", "wall")
     block = union(mapped((5, 3, 5), box((0.02, 0.1, 0.02), (1.5, 0.9, 1.5))), "faces", "x0", "z0")
     block = union(block, "driven", "x1", "z1")
-    pair = ("faces", "arms") if sides else ("outside", "outside")
     return Sketch(
         {"angle": angle, "block": block},
         {"angle": neo(1.0), "block": neo(1.0)},
-        (Touch(f"block-{pair[0]}", f"angle-{pair[1]}", params=params),),
+        (Touch(f"block-{sides[0]}", f"angle-{sides[1]}", params=auto(5.0, radius(0.3))),),
         (
             fixed("angle-held"),
             fixed("block-driven", "y"),
@@ -94,7 +91,7 @@ def corner(sides: bool, params: str) -> Sketch:
     )
 
 
-def clip(params: str) -> Sketch:
+def clip() -> Sketch:
     """A plate is pushed sideways between the arms of a U, whose whole outside is the surface; it bears on one arm."""
     fork = _several(
         ((2, 3, 2), (0, 0, -0.5), (1, 1, 0)),
@@ -108,12 +105,12 @@ def clip(params: str) -> Sketch:
     return Sketch(
         {"fork": fork, "plate": plate},
         {"fork": neo(2.0), "plate": neo(2.0)},
-        (Touch("plate-outside", "fork-outside", params=params),),
+        (Touch("plate-outside", "fork-outside", params=auto(1.0, radius(0.3))),),
         (fixed("fork-base"), fixed("plate-x1", "x", "y"), moved("plate-x1", "z", 0.3)),
     )
 
 
-def wedge_between(params: str) -> Sketch:
+def wedge_between(params: str = auto(1.0, radius(0.3))) -> Sketch:
     """A wedge, its whole outside a surface of two contacts, between a block and a slab: a meniscus in section."""
 
     def thin(u: np.ndarray) -> np.ndarray:
@@ -133,7 +130,7 @@ def wedge_between(params: str) -> Sketch:
             "block": mapped((7, 3, 3), over),
         },
         {"slab": neo(1.0), "wedge": neo(3.0, 0.1), "block": neo(1.0)},
-        (Touch("wedge-outside", "slab-outside", params=params), Touch("wedge-outside", "block-outside", params=params)),
+        tuple(Touch("wedge-outside", f"{body}-outside", params=params) for body in ("slab", "block")),
         (
             fixed("slab-z0"),
             fixed("block-z1", "x", "y"),
@@ -144,7 +141,7 @@ def wedge_between(params: str) -> Sketch:
     )
 
 
-def edge_down(sides: tuple[str, str], degrees: float, params: str) -> Sketch:
+def edge_down(degrees: float, side: str = "z1", params: str = auto(1.0)) -> Sketch:
     """A turned box is pressed with its edge into a slab."""
     high = shifted(turned(box((-0.6, -0.8, -0.6), (0.6, 0.8, 0.6)), "y", degrees), (0, 0, 0.01))
     rise = 0.6 * (np.cos(np.radians(degrees)) + np.sin(np.radians(degrees)))
@@ -154,7 +151,7 @@ def edge_down(sides: tuple[str, str], degrees: float, params: str) -> Sketch:
             "box": mapped((4, 4, 4), shifted(high, (0, 0, rise))),
         },
         {"slab": neo(1.0), "box": rigid((0, 0, 0.01 + rise))},
-        (Touch(f"slab-{sides[0]}", f"box-{sides[1]}", params=params),),
+        (Touch(f"slab-{side}", "box-outside", params=params),),
         (fixed("slab-z0"), hold("box", "xyuvw"), shift("box", "z", -0.25)),
     )
 
@@ -179,23 +176,25 @@ def _s(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return points, np.column_stack([-slope[:, 1], slope[:, 0]])
 
 
-def fold(side: tuple[str, str], params: str, element: str = "hex8", updates: int = 0, depth: float = 0.6) -> Sketch:
+def fold(
+    element: str = "hex8", side: str = "z1", params: str = auto(1.0, radius(0.4)), updates: int = 0, depth: float = 0.6
+) -> Sketch:
     """A sheet like a U is pressed flat until its arms touch."""
     return Sketch(
         {"sheet": mapped((28, 3, 1 if element == "hex20" else 2), sheet(_u, 0.6, 0.25), element)},
         {"sheet": neo(1.0)},
-        (Touch(f"sheet-{side[0]}", f"sheet-{side[1]}", params=params),),
+        (Touch(f"sheet-{side}", f"sheet-{side}", params=params),),
         (fixed("sheet-x0"), fixed("sheet-x1", "x", "y"), moved("sheet-x1", "z", -depth)),
         Scheme(updates=updates),
     )
 
 
-def wave(params: str) -> Sketch:
+def wave() -> Sketch:
     """A wavy sheet is pushed together until its turns touch."""
     return Sketch(
         {"sheet": mapped((36, 2, 1), sheet(_s, 0.5, 0.2))},
         {"sheet": neo(1.0, 0.2)},
-        (Touch("sheet-outside", "sheet-outside", params=params),),
+        (Touch("sheet-outside", "sheet-outside", params=auto(1.0, radius(0.15))),),
         (
             fixed("sheet-x0"),
             fixed("sheet-x1", "x", "y"),
@@ -206,8 +205,9 @@ def wave(params: str) -> Sketch:
     )
 
 
-def ring_between_plates(params: str, inner: bool) -> Sketch:
+def ring_between_plates(*, inner: bool) -> Sketch:
     """A ring is squashed between rigid plates until its inside touches itself; half of it, plane strain."""
+    params = auto(1.0, radius(0.3))
     ring = mapped((2, 20, 1), turned(arc(0.75, 1.0, 0.3, (-90.0, 90.0)), "x", 90.0))
     touching = (Touch("ring-x0", "ring-x0", params=params),) if inner else ()
     return Sketch(
@@ -231,58 +231,41 @@ def ring_between_plates(params: str, inner: bool) -> Sketch:
 
 SCENES: Mapping[str, Drawn] = {
     "outsides-boxes": Drawn("a box on a box, whole outsides", boxes),
-    "outsides-boxes-tet4-bfgs": Drawn("a box on a box of tet4, whole outsides, BFGS", partial(boxes, 10, "", "tet4")),
+    "outsides-boxes-tet4-bfgs": Drawn(
+        "a box on a box of tet4, whole outsides, BFGS", partial(boxes, element="tet4", updates=10)
+    ),
     "outsides-boxes-lean": Drawn(
         "a box whose sides are inclined by a twentieth towards the other body, whole outsides",
         partial(boxes, lean=0.05),
     ),
     "outsides-boxes-augmented": Drawn(
-        "a box with inclined sides, whole outsides, AUGLAG with a small penalty",
-        partial(boxes, 0, auglag(0.2), lean=0.02),
+        "a box with inclined sides, whole outsides, AUGLAG with a small penalty", partial(boxes, auglag(0.2), lean=0.02)
     ),
     "outsides-plate-on-slab": Drawn("a thin plate on a slab, whole outsides", plate_on_slab),
     "outsides-plate-on-slab-near": Drawn(
         "a thin plate on a slab, whole outsides, a search radius of three thicknesses",
         partial(plate_on_slab, radius(0.3)),
     ),
-    "corner": Drawn("a block in the corner of an L", partial(corner, True, auto(5.0, radius(0.3)))),
-    "corner-outsides": Drawn(
-        "a block in the corner of an L, whole outsides", partial(corner, False, auto(5.0, radius(0.3)))
-    ),
-    "clip-outsides": Drawn("a plate between the arms of a U, whole outsides", partial(clip, auto(1.0, radius(0.3)))),
-    "wedge-outsides": Drawn(
-        "a wedge between two bodies, whole outsides, two contacts", partial(wedge_between, auto(1.0, radius(0.3)))
-    ),
-    "edge-down": Drawn(
-        "the edge of a rigid box is pressed into a slab", partial(edge_down, ("z1", "outside"), 45.0, auto(1.0))
-    ),
-    "edge-down-slight": Drawn(
-        "a rigid box that is tilted by five degrees", partial(edge_down, ("z1", "outside"), 5.0, auto(1.0))
-    ),
+    "corner": Drawn("a block in the corner of an L", partial(corner, ("faces", "arms"))),
+    "corner-outsides": Drawn("a block in the corner of an L, whole outsides", partial(corner, ("outside", "outside"))),
+    "clip-outsides": Drawn("a plate between the arms of a U, whole outsides", clip),
+    "wedge-outsides": Drawn("a wedge between two bodies, whole outsides, two contacts", wedge_between),
+    "edge-down": Drawn("the edge of a rigid box is pressed into a slab", partial(edge_down, 45.0)),
+    "edge-down-slight": Drawn("a rigid box that is tilted by five degrees", partial(edge_down, 5.0)),
     "edge-down-outsides": Drawn(
         "the edge of a rigid box is pressed into a slab, whole outsides",
-        partial(edge_down, ("outside", "outside"), 30.0, auto(1.0, radius(0.5))),
+        partial(edge_down, 30.0, "outside", auto(1.0, radius(0.5))),
     ),
-    "fold": Drawn(
-        "a U is pressed flat, self-contact of its inside", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)))
-    ),
+    "fold": Drawn("a U is pressed flat, self-contact of its inside", fold),
     "fold-outside": Drawn(
         "a U is pressed flat, self-contact of its whole outside",
-        partial(fold, ("outside", "outside"), auto(0.3, radius(0.2)), depth=0.52),
+        partial(fold, side="outside", params=auto(0.3, radius(0.2)), depth=0.52),
     ),
-    "fold-hex20-bfgs": Drawn(
-        "a U of hex20 is pressed flat, BFGS", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "hex20", 10)
-    ),
-    "fold-tet4": Drawn(
-        "a U of tet4 is pressed flat", partial(fold, ("z1", "z1"), auto(1.0, radius(0.4)), "tet4", 0, 0.52)
-    ),
-    "wave": Drawn("a wavy sheet is pushed together", partial(wave, auto(1.0, radius(0.15)))),
-    "ring-between-plates": Drawn(
-        "a ring between rigid plates", partial(ring_between_plates, auto(1.0, radius(0.3)), False)
-    ),
+    "fold-hex20-bfgs": Drawn("a U of hex20 is pressed flat, BFGS", partial(fold, "hex20", updates=10)),
+    "fold-tet4": Drawn("a U of tet4 is pressed flat", partial(fold, "tet4", depth=0.52)),
+    "wave": Drawn("a wavy sheet is pushed together", wave),
+    "ring-between-plates": Drawn("a ring between rigid plates", partial(ring_between_plates, inner=False)),
     "ring-between-plates-closes": Drawn(
-        "a ring between rigid plates until its inside touches itself",
-        partial(ring_between_plates, auto(1.0, radius(0.3)), True),
+        "a ring between rigid plates until its inside touches itself", partial(ring_between_plates, inner=True)
     ),
 }
-"""By name."""

@@ -1,16 +1,14 @@
 """Rigid cams, punches, wheels and plates against rigid and soft bodies, nearly incompressible ones among them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 
-from studies.models.small import fixed
+from studies.models.small import Scheme, fixed
 from studies.synthetic_scenes.reported.shapes import Place, arc, ball, box, mapped, scaled, shell, shifted, turned
-from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.sketch import USUAL, Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import (
     TWO_PASS,
     Material,
@@ -36,12 +34,6 @@ from studies.synthetic_scenes.reported.words import (
 TURN = 2.0 * np.pi
 
 
-def _cam(eccentric: float, stretch: float) -> Place:
-    """A disc along y that turns about the origin."""
-    disc = turned(arc(0.3, 1.0, 0.6), "x", 90.0)
-    return shifted(scaled(disc, (stretch, 1.0, 1.0)), (eccentric, 0.0, 0.0))
-
-
 @dataclass(frozen=True)
 class Cam:
     """A rigid cam turns under a follower that a force presses onto it."""
@@ -49,24 +41,18 @@ class Cam:
     eccentric: float
     stretch: float = 1.0
     soft: bool = False
-    params: str = ""
+    params: str = given(50.0)
 
     def __call__(self) -> Sketch:
-        """The model."""
-        top = 1.0
-        follower = mapped((8, 2, 2), box((-1.2, -0.4, top - 0.01), (1.8, 0.4, top + 0.4)))
-        rigid_parts = [hold("cam", "xyzuw"), spin("cam", "Rv", TURN, 1)]
-        if not self.soft:
-            rigid_parts += [hold("follower", "xyuvw"), push("follower", "z", -0.1, 4)]
+        follower = mapped((8, 2, 2), box((-1.2, -0.4, 0.99), (1.8, 0.4, 1.4)))
+        disc = scaled(turned(arc(0.3, 1.0, 0.6), "x", 90.0), (self.stretch, 1.0, 1.0))  # along y
+        held = fixed("follower-z1", "x", "y") if self.soft else hold("follower", "xyuvw")
+        pressed = press("follower-z1", 0.05, 4) if self.soft else push("follower", "z", -0.1, 4)
         return Sketch(
-            {"cam": mapped((1, 48, 2), _cam(self.eccentric, self.stretch)), "follower": follower},
-            {"cam": rigid(), "follower": neo(5.0) if self.soft else rigid((0.3, 0.0, top + 0.2))},
-            (Touch("cam-x1", "follower-z0", params=self.params or given(50.0)),),
-            (
-                *((fixed("follower-z1", "x", "y"),) if self.soft else ()),
-                *rigid_parts,
-                *((press("follower-z1", 0.05, 4),) if self.soft else ()),
-            ),
+            {"cam": mapped((1, 48, 2), shifted(disc, (self.eccentric, 0.0, 0.0))), "follower": follower},
+            {"cam": rigid(), "follower": neo(5.0) if self.soft else rigid((0.3, 0.0, 1.2))},
+            (Touch("cam-x1", "follower-z0", params=self.params),),
+            (hold("cam", "xyzuw"), spin("cam", "Rv", TURN, 1), held, pressed),
             Scheme(50, 0.02),
         )
 
@@ -77,15 +63,14 @@ class Punch:
 
     place: Place
     cells: tuple[int, int, int]
-    face: str
     material: Material
-    params: str
+    params: str = auto(1.0)
+    face: str = "z0"
     free: bool = False
     scheme: Scheme = USUAL
     primary: bool = True
 
     def __call__(self) -> Sketch:
-        """The model."""
         sides = (f"punch-{self.face}", "block-z1") if self.primary else ("block-z1", f"punch-{self.face}")
         return Sketch(
             {
@@ -126,18 +111,15 @@ class BetweenPlates:
     """A soft body that is held at one side between two rigid plates of shells, its skin a surface of both contacts."""
 
     material: Material
-    params: str
+    params: str = auto(1.0, radius(0.5))
     element: str = "tet4"
     way: float = 0.3
     updates: int = 0
     kind: str = "sliding-elastic"
     module: str = "solid"
-    side: str = "outside"
+    sides: tuple[str, str] = ("outside", "outside")
 
     def __call__(self) -> Sketch:
-        """The model."""
-        up = box((-0.4, -1.2, -0.01), (2.4, 1.2, -0.01))
-        down = box((-0.4, -1.2, 1.01), (2.4, 1.2, 1.01))
         cells = (3, 3, 2) if self.element in ("tet10", "hex20") else (6, 6, 4)
 
         def bulging(u: np.ndarray) -> np.ndarray:
@@ -145,19 +127,18 @@ class BetweenPlates:
             taper = 1.0 - 0.12 * u[:, 0] ** 2
             return np.asarray(np.column_stack([points[:, :2], 0.5 + (points[:, 2] - 0.5) * taper]))
 
-        open_side = (drained("body-x1"),) if self.module == "biphasic" else ()
-        low = shell((6, 6), up, 0.05)
-        high = shell((6, 6), lambda u: np.asarray(down(np.column_stack([1.0 - u[:, 0], u[:, 1], u[:, 2]]))), 0.05)
+        low = shell((6, 6), box((-0.4, -1.2, -0.01), (2.4, 1.2, -0.01)), 0.05)
+        high = shell((6, 6), box((2.4, -1.2, 1.01), (-0.4, 1.2, 1.01)), 0.05)
         return Sketch(
             {"body": mapped(cells, bulging, self.element), "low": low, "high": high},
             {"body": self.material, "low": rigid(), "high": rigid((0, 0, 1))},
-            (
-                Touch(f"body-{self.side if self.side == 'outside' else 'z0'}", "low-face", self.kind, self.params),
-                Touch(f"body-{self.side if self.side == 'outside' else 'z1'}", "high-face", self.kind, self.params),
+            tuple(
+                Touch(f"body-{side}", f"{plate}-face", self.kind, self.params)
+                for side, plate in zip(self.sides, ("low", "high"), strict=True)
             ),
             (
                 fixed("body-x0"),
-                *open_side,
+                *([drained("body-x1")] if self.module == "biphasic" else []),
                 hold("low", "xyuvw"),
                 hold("high", "xyuvw"),
                 shift("low", "z", self.way / 2),
@@ -177,66 +158,53 @@ SCENES: Mapping[str, Drawn] = {
     ),
     "cam-soft-follower": Drawn("a rigid cam under a soft follower", Cam(0.2, 1.1, soft=True, params=auto(1.0))),
     "punch-flat-tilts": Drawn(
-        "a flat rigid punch that may tilt, under a force", Punch(FLAT, (6, 6, 2), "z0", neo(), auto(1.0), True)
+        "a flat rigid punch that may tilt, under a force", Punch(FLAT, (6, 6, 2), neo(), free=True)
     ),
     "punch-flat-block-first": Drawn(
-        "a flat rigid punch, the block as primary surface",
-        Punch(FLAT, (1, 1, 1), "z0", neo(), auto(1.0), primary=False),
+        "a flat rigid punch, the block as primary surface", Punch(FLAT, (1, 1, 1), neo(), primary=False)
     ),
     "punch-round-ogden-augmented": Drawn(
-        "a rigid sphere on an Ogden block under a force, augmented",
-        Punch(ROUND, (5, 5, 5), "z0", ogden(), auglag(1.0)),
+        "a rigid sphere on an Ogden block under a force, augmented", Punch(ROUND, (5, 5, 5), ogden(), auglag(1.0))
     ),
     "punch-round-ogden-augmented-outside": Drawn(
         "a rigid sphere on an Ogden block under a force, augmented, whole outside, the block as primary surface",
-        Punch(ROUND, (5, 5, 5), "outside", ogden(), auglag(1.0), primary=False),
+        Punch(ROUND, (5, 5, 5), ogden(), auglag(1.0), "outside", primary=False),
     ),
     "punch-round-friction": Drawn(
         "a rigid sphere under a force, friction 0.4, AUGLAG with a small penalty",
-        Punch(ROUND, (5, 5, 5), "z0", mooney(), auglag(0.1, 0.1, friction(0.4))),
+        Punch(ROUND, (5, 5, 5), mooney(), auglag(0.1, 0.1, friction(0.4))),
     ),
     "punch-incompressible-bfgs": Drawn(
         "a rigid sphere on a block of Poisson's ratio 0.4999, BFGS",
-        Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0), scheme=Scheme(updates=10)),
+        Punch(ROUND, (5, 5, 5), neo(1.0, 0.4999), scheme=Scheme(updates=10)),
     ),
     "punch-incompressible": Drawn(
-        "a rigid sphere on a block of Poisson's ratio 0.4999, full Newton",
-        Punch(ROUND, (5, 5, 5), "z0", neo(1.0, 0.4999), auto(1.0)),
+        "a rigid sphere on a block of Poisson's ratio 0.4999, full Newton", Punch(ROUND, (5, 5, 5), neo(1.0, 0.4999))
     ),
     "punch-mooney-stiff-bulk": Drawn(
         "a flat punch on a Mooney-Rivlin block with a bulk modulus of 5000 times the shear modulus",
-        Punch(FLAT, (6, 6, 2), "z0", mooney(0.2, 0.0, 2000.0), auto(1.0, TWO_PASS)),
+        Punch(FLAT, (6, 6, 2), mooney(0.2, 0.0, 2000.0), auto(1.0, TWO_PASS)),
     ),
     "wheel-rolls": Drawn("a rigid wheel rolls on a soft slab, friction 0.3", partial(wheel, 0.3)),
-    "plates-tet4": Drawn(
-        "soft tetrahedra between rigid plates, whole outside",
-        BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5))),
-    ),
+    "plates-tet4": Drawn("soft tetrahedra between rigid plates, whole outside", BetweenPlates(ogden(0.3, 2.0, 10.0))),
     "plates-tet4-bfgs": Drawn(
-        "soft tetrahedra between rigid plates, whole outside, BFGS",
-        BetweenPlates(ogden(0.3, 2.0, 10.0), auto(1.0, radius(0.5)), updates=10),
+        "soft tetrahedra between rigid plates, whole outside, BFGS", BetweenPlates(ogden(0.3, 2.0, 10.0), updates=10)
     ),
     "plates-hex8-deep": Drawn(
         "soft hexahedra between rigid plates, squeezed by half",
-        BetweenPlates(ogden(0.3, 2.0, 5.0), auto(1.0, radius(0.5)), "hex8", 0.5),
+        BetweenPlates(ogden(0.3, 2.0, 5.0), element="hex8", way=0.5),
     ),
     "plates-tet10-incompressible": Drawn(
-        "tet10 of Poisson's ratio 0.499 between rigid plates",
-        BetweenPlates(neo(1.0, 0.499), auto(1.0, radius(0.5)), "tet10", 0.2),
+        "tet10 of Poisson's ratio 0.499 between rigid plates", BetweenPlates(neo(1.0, 0.499), element="tet10", way=0.2)
     ),
     "plates-friction-augmented": Drawn(
         "a soft body between rigid plates, friction 0.3, AUGLAG with a small penalty",
-        BetweenPlates(neo(1.0, 0.45), auglag(0.2, 0.1, radius(0.5) + friction(0.3)), "hex8", side="faces"),
+        BetweenPlates(neo(1.0, 0.45), auglag(0.2, 0.1, radius(0.5) + friction(0.3)), "hex8", sides=("z0", "z1")),
     ),
     "plates-biphasic": Drawn(
         "a porous body between rigid plates",
         BetweenPlates(
-            biphasic(),
-            auto(1.0, radius(0.5) + fluid(1.0)),
-            "hex8",
-            kind="sliding-biphasic",
-            module="biphasic",
+            biphasic(), auto(1.0, radius(0.5) + fluid(1.0)), "hex8", kind="sliding-biphasic", module="biphasic"
         ),
     ),
 }
-"""By name."""

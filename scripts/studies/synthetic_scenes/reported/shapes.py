@@ -1,7 +1,5 @@
 """Bodies of any element as mapped grids, with the sides that contacts and loads name."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -14,8 +12,7 @@ from harness.models.blocks import Body
 from harness.models.mesh import Nodes
 from studies.models import assembly
 from studies.models.quadratic import ADDED
-from studies.models.tetrahedra import tetrahedra
-from studies.synthetic_scenes.slab_and_block import FACES_OF, prisms
+from studies.synthetic_scenes.slab_and_block import FACES_OF, cut
 
 Place = Callable[[Nodes], Nodes]
 """Positions (n, 3) in mm of points (n, 3) of the unit cube."""
@@ -40,28 +37,19 @@ NEAR = 1e-9
 
 @dataclass(frozen=True)
 class Shape:
-    """A body.
-
-    Attributes
-    ----------
-    element : str
-        FEBio's name of its elements.
-    nodes : ndarray, shape (n, 3)
-        mm.
-    elements : list of tuple of int
-        Nodes of each element, from 0.
-    sides : mapping of str to list of tuple of int
-        Facets of each side, nodes from 0: ``x0``, ``x1``, ... where a coordinate of the unit cube is 0 or 1, and
-        ``outside``; of a shell ``face`` and ``back``, and its edges as lists of nodes.
-    thickness : float
-        Of a shell, mm; 0 of a solid.
-    """
+    """A body."""
 
     element: str
+    """FEBio's name of its elements."""
     nodes: Nodes
+    """mm. Shape (n, 3)."""
     elements: Facets
+    """Nodes of each element, from 0."""
     sides: Mapping[str, Facets] = field(default_factory=dict)
+    """Facets of each side, nodes from 0: ``x0``, ``x1``, ... where a coordinate of the unit cube is 0 or 1, and
+    ``outside``; of a shell ``face`` and ``back``, and its edges as lists of nodes."""
     thickness: float = 0.0
+    """Of a shell, mm; 0 of a solid."""
 
 
 def grid(cells: Sequence[int]) -> Body:
@@ -71,7 +59,7 @@ def grid(cells: Sequence[int]) -> Body:
 
 def mapped(cells: Sequence[int], place: Place, element: str = "hex8") -> Shape:
     """The unit cube put elsewhere, in elements of a type; places that meet, as the ends of a ring do, are joined."""
-    return joined([_cut(grid(cells), element)], [place], element)
+    return joined([cut(grid(cells), element)], [place], element)
 
 
 def joined(bodies: Sequence[Body], places: Sequence[Place], element: str) -> Shape:
@@ -91,24 +79,16 @@ def joined(bodies: Sequence[Body], places: Sequence[Place], element: str) -> Sha
     return Shape(element, kept, whole, _sides([(side, tuple(int(number[n]) for n in f)) for side, f in faces]))
 
 
-def _cut(body: Body, element: str) -> Body:
-    if element.startswith("tet"):
-        return tetrahedra(body)
-    return prisms(body) if element.startswith("penta") else body
-
-
 def _with_middles(body: Body, element: str) -> tuple[Nodes, Facets]:
     nodes, number = list(body.nodes), dict[frozenset[int], int]()
     rows: Facets = []
     for ids in body.elements.tolist():
-        row = list(ids)
-        for group in MIDDLES[element]:
-            key = frozenset(ids[corner] for corner in group)
+        keys = [frozenset(ids[corner] for corner in group) for group in MIDDLES[element]]
+        for key in keys:
             if key not in number:
                 number[key] = len(nodes)
                 nodes.append(np.mean([body.nodes[n] for n in key], axis=0))
-            row.append(number[key])
-        rows.append(tuple(row))
+        rows.append((*ids, *(number[key] for key in keys)))
     return np.array(nodes), rows
 
 
@@ -120,7 +100,7 @@ def _is_right_handed(nodes: Nodes, element: str) -> bool:
 
 def _faces(unit: Nodes, rows: Facets, element: str) -> list[tuple[str, tuple[int, ...]]]:
     """Every face of every element, with the side of the unit cube that it lies in, or an empty name."""
-    corners = _corners_of(element)
+    corners = {"hex": 8, "tet": 4, "pen": 6}[element[:3]]
     found = []
     for row in rows:
         middle = dict(zip((frozenset(group) for group in MIDDLES[element]), row[corners:], strict=True))
@@ -130,10 +110,6 @@ def _faces(unit: Nodes, rows: Facets, element: str) -> list[tuple[str, tuple[int
             added = [n for n in (*ends, centre) if n is not None]
             found.append((_side(unit[[row[k] for k in face]]), (*(row[k] for k in face), *added)))
     return found
-
-
-def _corners_of(element: str) -> int:
-    return {"hex": 8, "tet": 4, "pen": 6}[element[:3]]
 
 
 def _side(points: Nodes) -> str:

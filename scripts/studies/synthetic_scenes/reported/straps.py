@@ -1,16 +1,16 @@
 """Thin shells and strips on rigid bodies: tendons over bones, caps on heads, plates under rods."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 
 from studies.models.small import fixed, moved
-from studies.synthetic_scenes.reported.shapes import Shape, arc, ball, box, mapped, shell, shifted, turned
-from studies.synthetic_scenes.reported.sketch import Drawn, Scheme, Sketch, Touch
+from studies.synthetic_scenes.reported.shapes import Shape, arc, ball, box, mapped, scaled, shell, shifted, turned
+from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import auto, given, hold, neo, press, push, radius, rigid, shift
 
 SKIN = neo(10.0)
+USUALLY = auto(1.0, radius(0.5))
+"""Parameters of a contact that a scene does not say otherwise."""
 
 
 def _bone(outer: float, x: float = 0.0) -> Shape:
@@ -20,8 +20,7 @@ def _bone(outer: float, x: float = 0.0) -> Shape:
 
 def _strap(level: float, half: float, cells: tuple[int, int] = (24, 4), element: str = "quad4") -> Shape:
     """A shell along x whose front looks down, 0.1 mm thick."""
-    flat = box((-half, -1.0, level), (half, 1.0, level))
-    return shell(cells, lambda u: flat(u) * (-1.0, 1.0, 1.0), 0.1, element)
+    return shell(cells, scaled(box((-half, -1.0, level), (half, 1.0, level)), (-1.0, 1.0, 1.0)), 0.1, element)
 
 
 def _pulled() -> tuple[str, ...]:
@@ -31,13 +30,13 @@ def _pulled() -> tuple[str, ...]:
 
 
 def strap_on_bone(
-    surface: str = "x1", element: str = "quad4", kind: str = "sliding-elastic", params: str = ""
+    surface: str = "x1", element: str = "quad4", kind: str = "sliding-elastic", params: str = USUALLY
 ) -> Sketch:
     """A strap is pulled over a rigid cylinder."""
     return Sketch(
         {"bone": _bone(2.0), "strap": _strap(2.02, 3.0, element=element)},
         {"bone": rigid(), "strap": SKIN},
-        (Touch("strap-face", f"bone-{surface}", kind, params or auto(1.0, radius(0.5))),),
+        (Touch("strap-face", f"bone-{surface}", kind, params),),
         (*_pulled(), hold("bone")),
     )
 
@@ -54,14 +53,13 @@ def strap_on_two_bones(reach: str) -> Sketch:
 
 def ball_in_trampoline(primary: str = "net-face", secondary: str = "ball-outside") -> Sketch:
     """A rigid ball is pushed up into a shell that is held at its edges."""
-    down = box((-2, -2, 0.0), (2, 2, 0.0))
-    net = shell((12, 12), lambda u: down(u) * (-1.0, 1.0, 1.0), 0.1)
+    net = shell((12, 12), scaled(box((-2, -2, 0.0), (2, 2, 0.0)), (-1.0, 1.0, 1.0)), 0.1)
     return Sketch(
         {"ball": mapped((5, 5, 5), shifted(ball(1.0), (0, 0, -0.98))), "net": net},
         {"ball": rigid((0, 0, -0.98)), "net": SKIN},
         (Touch(primary, secondary, params=auto(1.0, radius(0.6))),),
         (
-            *tuple(fixed(f"net-{edge}") for edge in ("x0", "x1", "y0", "y1")),
+            *(fixed(f"net-{edge}") for edge in ("x0", "x1", "y0", "y1")),
             hold("ball", "xyuvw"),
             shift("ball", "z", 0.6),
         ),
@@ -75,20 +73,19 @@ def rod_on_plate() -> Sketch:
         {"rod": mapped((2, 20, 3), shifted(turned(arc(0.2, 0.5, 3.0), "x", 90.0), (0, 0, 0.48))), "plate": plate},
         {"rod": rigid((0, 0, 0.48)), "plate": SKIN},
         (Touch("plate-face", "rod-outside", params=auto(1.0, radius(0.3))),),
-        (*tuple(fixed(f"plate-{edge}") for edge in ("x0", "x1")), hold("rod", "xyuvw"), push("rod", "z", -0.02)),
+        (fixed("plate-x0"), fixed("plate-x1"), hold("rod", "xyuvw"), push("rod", "z", -0.02)),
     )
 
 
 def shells_on_shells() -> Sketch:
-    """One shell is a pressure presses the block onto another that is held at its edges."""
+    """One shell is pressed onto another that is held at its edges."""
     lower = shell((10, 10), box((-2, -2, 0.0), (2, 2, 0.0)), 0.1)
-    down = box((-1.5, -1.5, 0.02), (1.5, 1.5, 0.02))
-    upper = shell((8, 8), lambda u: down(u) * (-1.0, 1.0, 1.0), 0.1)
+    upper = shell((8, 8), scaled(box((-1.5, -1.5, 0.02), (1.5, 1.5, 0.02)), (-1.0, 1.0, 1.0)), 0.1)
     held = ("x0", "x1", "y0", "y1")
     return Sketch(
         {"lower": lower, "upper": upper},
         {"lower": SKIN, "upper": SKIN},
-        (Touch("upper-face", "lower-face", params=auto(1.0, radius(0.5))),),
+        (Touch("upper-face", "lower-face", params=USUALLY),),
         (
             *(fixed(f"lower-{edge}") for edge in held),
             *(fixed(f"upper-{edge}", "x", "y") for edge in held),
@@ -98,15 +95,14 @@ def shells_on_shells() -> Sketch:
     )
 
 
-def strip_on_bone(element: str, sides: tuple[str, str], updates: int = 0, penalty: str = "") -> Sketch:
+def strip_on_bone(element: str = "hex8", sides: tuple[str, str] = ("z0", "x1"), params: str = USUALLY) -> Sketch:
     """A strip of solid elements, one through its thickness, is pulled over a rigid cylinder."""
     strip = mapped((20, 4, 1), box((-3, -1, 2.02), (3, 1, 2.14)), element)
     return Sketch(
         {"bone": _bone(2.0), "strap": strip},
         {"bone": rigid(), "strap": neo(5.0)},
-        (Touch(f"strap-{sides[0]}", f"bone-{sides[1]}", params=penalty or auto(1.0, radius(0.5))),),
+        (Touch(f"strap-{sides[0]}", f"bone-{sides[1]}", params=params),),
         (*_pulled(), hold("bone")),
-        Scheme(updates=updates),
     )
 
 
@@ -134,13 +130,12 @@ SCENES: Mapping[str, Drawn] = {
     ),
     "rod-on-plate": Drawn("a rigid rod under a force on a shell", rod_on_plate),
     "shells-on-shells": Drawn("a shell is pressed onto a shell", shells_on_shells),
-    "strip-on-bone": Drawn("a strip of hex8 over a rigid cylinder", partial(strip_on_bone, "hex8", ("z0", "x1"))),
+    "strip-on-bone": Drawn("a strip of hex8 over a rigid cylinder", strip_on_bone),
     "strip-on-bone-outsides": Drawn(
-        "a strip of hex8 over a rigid cylinder, whole outsides", partial(strip_on_bone, "hex8", ("outside", "outside"))
+        "a strip of hex8 over a rigid cylinder, whole outsides", partial(strip_on_bone, sides=("outside", "outside"))
     ),
     "strip-on-bone-tet10": Drawn(
         "a strip of tet10 over a rigid cylinder, numerical penalty",
-        partial(strip_on_bone, "tet10", ("z0", "x1"), 0, given(20.0, radius(0.5))),
+        partial(strip_on_bone, "tet10", params=given(20.0, radius(0.5))),
     ),
 }
-"""By name."""

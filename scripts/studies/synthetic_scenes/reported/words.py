@@ -1,7 +1,5 @@
 """Materials, conditions and parameters of contacts in few words: FEBio's XML. Numbers are in mm, N, s, MPa."""
 
-from __future__ import annotations
-
 Material = tuple[str, str]
 
 
