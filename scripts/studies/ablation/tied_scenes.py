@@ -62,7 +62,7 @@ LASTING = {
 """Ties that cannot break, by name."""
 BREAKING = {
     f"{load}-{modulus:g}-MPa-{energy:g}-N-mm": Tied(load, words.neo(modulus), _breaking(0.05, energy))
-    for load, modulus, energy in product(LOADS, (1.0, 10.0), (1e-4, 1e-3))
+    for load, modulus, energy in product(LOADS, (1.0, 3.0, 10.0, 30.0), (1e-4, 3e-4, 1e-3, 3e-3))
 }
 """Ties whose bonds soften and break, by name."""
 
