@@ -28,6 +28,7 @@ FACTORS = (1.0, 10.0, 100.0)
 SCENES = {
     Kind.ELASTIC: (
         (Bodies.ELASTIC, Load.STANCE, Size.SMALL),
+        (Bodies.ELASTIC, Load.STANCE, Size.MEDIUM),
         (Bodies.ELASTIC, Load.GAIT, Size.COARSE),
     ),
     Kind.POROUS: (
