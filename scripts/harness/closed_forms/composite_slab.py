@@ -76,10 +76,7 @@ def concentration(
     ndarray
         c~/c* in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
 
-    Raises
-    ------
-    ValueError
-        For a time or conductance that is not positive, or a position outside the layers.
+    Raises ValueError: for a time or conductance that is not positive, or a position outside the layers.
     """
     position = np.asarray(z, dtype=float)
     if t <= 0.0 or conductance <= 0.0:

@@ -32,10 +32,7 @@ def concentration(
     ndarray
         c, mM, in the broadcast shape.
 
-    Raises
-    ------
-    ValueError
-        For a time that is not positive, a position outside, or data that are not positive.
+    Raises ValueError: for a time that is not positive, a position outside, or data that are not positive.
     """
     position, time = np.broadcast_arrays(np.asarray(z, dtype=float), np.asarray(t, dtype=float))
     if np.any(time <= 0.0) or height <= 0.0 or diffusivity <= 0.0:

@@ -43,37 +43,20 @@ NOT_OURS = {
 
 @dataclass(frozen=True)
 class Converted:
-    """A converted model.
+    """A converted model."""
 
-    Attributes
-    ----------
-    data : bytes
-        The new model file.
-    included : dict of Path to bytes
-        New files beside included ones, with the contacts of these.
-    changes : dict of str to list of Change
-        By contact, or by another part of the model.
-    reads : tuple of str
-        Other files that the model names.
-    files : tuple of Path
-        All files of the old model.
-    """
-
-    data: bytes
-    included: Mapping[Path, bytes]
-    changes: Mapping[str, list[Change]]
-    reads: tuple[str, ...]
-    files: tuple[Path, ...]
+    data: bytes  # the new model file
+    included: Mapping[Path, bytes]  # new files beside included ones, with the contacts of these
+    changes: Mapping[str, list[Change]]  # by contact, or by another part of the model
+    reads: tuple[str, ...]  # other files that the model names
+    files: tuple[Path, ...]  # all files of the old model
 
 
 def convert(path: Path) -> Converted:
     """Switch contacts of FEBio's sliding types to `sliding-mixture`, and those of its tied types to `tied-mixture`.
 
-    Raises
-    ------
-    ModelError
-        The file cannot be read, has nothing to convert, or converting would change the physics or make a model that
-        does not run; says all the reasons.
+    Raises ModelError: the file cannot be read, has nothing to convert, or converting would change the physics or make a
+    model that does not run; says all the reasons.
     """
     model = models.read(path)
     joints = [Joint(model, contact) for contact in (*model.contacts, *model.ties)]

@@ -16,17 +16,10 @@ from pyfebio.model import Model
 
 
 class Varying(BaseXmlModel, validate_assignment=True):
-    """A number, which may follow a load curve.
-
-    Attributes
-    ----------
-    text : float
-    lc : int, optional
-        Number of the load curve that multiplies it.
-    """
+    """A number, which may follow a load curve."""
 
     text: float
-    lc: int | None = attr(default=None)
+    lc: int | None = attr(default=None)  # number of the load curve that multiplies it
 
 
 class AmbientConcentration(Varying):

@@ -24,18 +24,10 @@ EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4),
 
 @dataclass(frozen=True)
 class Body:
-    """The elements of one body.
+    """The elements of one body."""
 
-    Attributes
-    ----------
-    nodes : ndarray, shape (n_nodes, 3)
-        mm.
-    elements : ndarray of int, shape (n_elements, 4, 6 or 8)
-        Node numbers from 0.
-    """
-
-    nodes: Nodes
-    elements: Ids
+    nodes: Nodes  # shape (n_nodes, 3): mm
+    elements: Ids  # shape (n_elements, 4, 6 or 8): node numbers from 0
 
 
 def structured(points: Points) -> Body:

@@ -40,21 +40,14 @@ the concentration c* on one face and no flux through the other."""
 
 @dataclass(frozen=True)
 class Diffusion(Layered):
-    """Choices of problem 3.1.
-
-    Attributes
-    ----------
-    lower, upper : Mixture
-        Materials of the two cubes.
-    ambient : tuple of float
-        Ambient concentration of each solute, mM.
-    """
+    """Choices of problem 3.1."""
 
     control: Control = Control(400, 20.0)
     name: str = "diffusion"
+    # Materials of the two cubes.
     lower: Mixture = MATERIAL
     upper: Mixture = MATERIAL
-    ambient: tuple[float, ...] = (AMBIENT,)
+    ambient: tuple[float, ...] = (AMBIENT,)  # ambient concentration of each solute, mM
 
     ABOUT = ABOUT
     CLOSING = CLOSING

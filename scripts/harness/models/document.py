@@ -33,65 +33,32 @@ MODULES = ("solid", "biphasic", "solute", "multiphasic")
 
 @dataclass(frozen=True)
 class Model:
-    """Everything that a .feb file says.
+    """Everything that a .feb file says."""
 
-    Attributes
-    ----------
-    name : str
-        Stem of the file names.
-    header : str
-        What stands at the head of the file: what it shows, units, how to run it.
-    module : str
-        One of `MODULES`.
-    mesh : Mesh
-    materials : mapping of str to Material
-    conditions : tuple of Condition
-    control : Control
-    contacts : tuple of Contact
-    curves : tuple of Curve
-        Load curves, numbered from 1.
-    element_columns : tuple of str
-        FEBio's names of the element data to log, if any.
-    plot : bool
-        Whether a plot file is written.
-    further_columns : tuple of str
-        FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
-    charges : tuple of int
-        Charge number of each solute of the model; without it all are neutral.
-    surface_columns, facet_columns : tuple of str
-        FEBio's names of ``surface_data`` and ``face_data`` to log for both surfaces of each contact.
-    part_columns : mapping of str to tuple of str
-        FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
-        element data as the material lists them.
-    gas_constant : float
-        R in the units of the model.
-    springs : tuple of Springs
-    further_plot : tuple of str
-        FEBio's names of plot variables beside those that every model has.
-    node_log : bool
-        Whether the node data are logged, which takes long for large meshes.
-    """
-
-    name: str
-    header: str
-    module: str
+    name: str  # stem of the file names
+    header: str  # what stands at the head of the file: what it shows, units, how to run it
+    module: str  # one of `MODULES`
     mesh: Mesh
     materials: Mapping[str, Material]
     conditions: tuple[Condition, ...]
     control: Control
     contacts: tuple[Contact, ...] = ()
-    curves: tuple[Curve, ...] = field(default=())
-    element_columns: tuple[str, ...] = ()
-    plot: bool = False
+    curves: tuple[Curve, ...] = field(default=())  # load curves, numbered from 1
+    element_columns: tuple[str, ...] = ()  # FEBio's names of the element data to log, if any
+    plot: bool = False  # whether a plot file is written
+    # FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
     further_columns: tuple[str, ...] = ()
-    charges: tuple[int, ...] = ()
+    charges: tuple[int, ...] = ()  # charge number of each solute of the model; without it all are neutral
+    # FEBio's names of ``surface_data`` and ``face_data`` to log for both surfaces of each contact.
     surface_columns: tuple[str, ...] = ()
     facet_columns: tuple[str, ...] = ()
+    # FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
+    # element data as the material lists them.
     part_columns: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    gas_constant: float = GAS_CONSTANT
+    gas_constant: float = GAS_CONSTANT  # R in the units of the model
     springs: tuple[Springs, ...] = ()
-    node_log: bool = True
-    further_plot: tuple[str, ...] = ()
+    node_log: bool = True  # whether the node data are logged, which takes long for large meshes
+    further_plot: tuple[str, ...] = ()  # FEBio's names of plot variables beside those that every model has
 
     @property
     def n_solutes(self) -> int:
@@ -99,13 +66,7 @@ class Model:
         return max((s.sol for m in self.materials.values() for s in m.solutes), default=0)
 
     def mixture(self, name: str) -> Mixture:
-        """The porous material of that name.
-
-        Raises
-        ------
-        ModelError
-            Where the material is elastic or rigid.
-        """
+        """The porous material of that name. Raises ModelError where the material is elastic or rigid."""
         material = self.materials[name]
         if not isinstance(material, Mixture):
             raise ModelError(f"model '{self.name}': material '{name}' is not porous and holds no solute")
@@ -148,10 +109,7 @@ class Model:
     def text(self) -> str:
         """The model as FEBio 4 XML.
 
-        Raises
-        ------
-        ModelError
-            Where a module, set, surface or pair is named that does not exist.
+        Raises ModelError where a module, set, surface or pair is named that does not exist.
         """
         _check(self)
         root = etree.Element("febio_spec", version="4.0")

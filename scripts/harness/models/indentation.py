@@ -58,35 +58,19 @@ By symmetry, the model contains one half, as a layer of one element with no disp
 
 @dataclass(frozen=True)
 class Indentation:
-    """Choices of problem 3.3.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
-    grid : Grid
-    primary : Primary
-        Which body has the primary surface.
-    clamp : bool
-        Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
-    gripped : bool
-        Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
-        turns inside out.
-    control : Control
-    module : str, optional
-        The module that `interface` asks for without it.
-    name : str
-    """
+    """Choices of problem 3.3."""
 
     interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
+    settings: ContactSettings | None = None  # default settings without it
     grid: Grid = Grid()
-    primary: Primary = Primary.CYLINDER
+    primary: Primary = Primary.CYLINDER  # which body has the primary surface
+    # Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
     clamp: bool = True
+    # Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
+    # turns inside out.
     gripped: bool = True
     control: Control = CONTROL
-    module: str | None = None
+    module: str | None = None  # the module that `interface` asks for without it
     name: str = "indentation"
     plot: bool = False
 

@@ -34,27 +34,17 @@ class Primary(str, Enum):
 
 @dataclass(frozen=True)
 class Grid:
-    """Sizes and numbers of elements.
+    """Sizes and numbers of elements."""
 
-    Attributes
-    ----------
-    radius, width, height : float
-        Radius of the round body, half-width and height of the slab, mm.
-    thickness : float
-        Thickness of the plane problem, mm.
-    across, down : int
-        Elements of the slab over its half-width and its height.
-    around : int
-        Elements of each block of the O-grid along each edge; an arc of 90 degrees has twice as many.
-    """
-
+    # Radius of the round body, half-width and height of the slab, mm.
     radius: float = 3.0
     width: float = 3.0
     height: float = 2.0
-    thickness: float = 0.25
+    thickness: float = 0.25  # thickness of the plane problem, mm
+    # Elements of the slab over its half-width and its height.
     across: int = 18
     down: int = 12
-    around: int = 6
+    around: int = 6  # elements of each block of the O-grid along each edge; an arc of 90 degrees has twice as many
 
     def __post_init__(self) -> None:
         """Refuse what is not a grid."""

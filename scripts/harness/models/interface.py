@@ -60,28 +60,19 @@ class ContactSettings:
 
     Attributes
     ----------
-    laugon : str
-        ``PENALTY``, ``AUGLAG`` or ``LAGMULT``.
-    penalty, pressure_penalty, concentration_penalty : float
-        eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
-    auto_penalty, update_penalty, two_pass : bool
-    integration : str
-        ``gauss`` or ``segments``; `sliding-mixture` alone knows it.
-    tolerance, gaptol, ptol, ctol : float
-        Augmentation tolerances: of the traction (relative), of the gap (mm), of pressure and concentration.
     ambient_pressure, ambient_concentration : Param or float
-    extra : tuple of Param
-        Anything else.
     """
 
-    laugon: str | None = None
+    laugon: str | None = None  # ``PENALTY``, ``AUGLAG`` or ``LAGMULT``
+    # eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
     penalty: float | None = None
     pressure_penalty: float | None = None
     concentration_penalty: float | None = None
     auto_penalty: bool | None = None
     update_penalty: bool | None = None
     two_pass: bool | None = None
-    integration: str | None = None
+    integration: str | None = None  # ``gauss`` or ``segments``; `sliding-mixture` alone knows it
+    # Augmentation tolerances: of the traction (relative), of the gap (mm), of pressure and concentration.
     tolerance: float | None = None
     gaptol: float | None = None
     ptol: float | None = None
@@ -90,7 +81,7 @@ class ContactSettings:
     maxaug: int | None = None
     search_tol: float | None = None
     search_radius: float | None = None
-    extra: tuple[Param, ...] = ()
+    extra: tuple[Param, ...] = ()  # anything else
 
     def params(self) -> tuple[Param, ...]:
         """The parameters that are set, in a fixed order."""

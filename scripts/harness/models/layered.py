@@ -17,28 +17,14 @@ class Layered:
     """Choices of a model of two layers; a subclass says what they are made of and what is prescribed.
 
     All sides are held, and so is the lowest face; the highest one is moved down by `CLOSING`, unless that is 0.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
-    elements : int
-        Hex8 through the thickness of each layer.
-    control : Control
-    section : Section
-    module : str, optional
-        The module that `interface` asks for without it.
-    name : str
-    plot : bool
     """
 
     interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
+    settings: ContactSettings | None = None  # default settings without it
+    elements: int = 20  # Hex8 through the thickness of each layer
     control: Control = Control(100, 20.0)
     section: Section = Section()
-    module: str | None = None
+    module: str | None = None  # the module that `interface` asks for without it
     name: str = "layered"
     plot: bool = False
 

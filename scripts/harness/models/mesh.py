@@ -18,41 +18,26 @@ Nodes = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Part:
-    """A named group of elements of one type and one material.
+    """A named group of elements of one type and one material."""
 
-    Attributes
-    ----------
-    name, material : str
-        Names in the model file.
-    elements : ndarray of int, shape (n_elements, 8, 20, 27, 6 or 15)
-        Node numbers, from 1, in FEBio's order of hex8, hex20, hex27, penta6 or penta15.
-    """
-
+    # Names in the model file.
     name: str
     material: str
+    # shape (n_elements, 8, 20, 27, 6 or 15): node numbers, from 1, in FEBio's order of hex8, hex20, hex27, penta6 or
+    # penta15.
     elements: Ids
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Nodes, parts and named sets; all node numbers start from 1.
+    """Nodes, parts and named sets; all node numbers start from 1."""
 
-    Attributes
-    ----------
-    nodes : ndarray, shape (n_nodes, 3)
-        Reference positions, mm.
-    parts : tuple of Part
-    node_sets : dict of str to ndarray of int
-    surfaces : dict of str to ndarray of int, shape (n_facets, 3, 4, 6, 8 or 9)
-        Facets whose nodes turn counterclockwise seen from outside the body.
-    pairs : dict of str to (str, str)
-        Primary and secondary surface of each contact pair.
-    """
-
-    nodes: Nodes
+    nodes: Nodes  # shape (n_nodes, 3): reference positions, mm
     parts: tuple[Part, ...]
     node_sets: dict[str, Ids] = field(default_factory=dict)
+    # shape (n_facets, 3, 4, 6, 8 or 9): facets whose nodes turn counterclockwise seen from outside the body.
     surfaces: dict[str, Ids] = field(default_factory=dict)
+    # Primary and secondary surface of each contact pair.
     pairs: dict[str, tuple[str, str]] = field(default_factory=dict)
 
 
@@ -130,10 +115,7 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
         Node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names, their
         facets ordered with x fastest; no pairs.
 
-    Raises
-    ------
-    ModelError
-        For a box without size or elements.
+    Raises ModelError: for a box without size or elements.
     """
     nodes: list[Nodes] = []
     parts: list[Part] = []
@@ -173,10 +155,7 @@ def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
         Node sets ``all``, ``bottom``, ``top``, and for each layer ``<name>-bottom`` and ``<name>-top``; surfaces of
         the same names; pairs ``<lower>/<upper>`` whose primary surface is the top of the lower layer.
 
-    Raises
-    ------
-    ModelError
-        For a layer without thickness or elements.
+    Raises ModelError: for a layer without thickness or elements.
     """
     section = section or Section()
     boxes: list[Box] = []
@@ -196,10 +175,7 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
 
     Parameters and sets are those of `split_column`; there are no contact pairs.
 
-    Raises
-    ------
-    ModelError
-        For a layer without thickness or elements.
+    Raises ModelError: for a layer without thickness or elements.
     """
     mesh = split_column(layers, bottom=bottom, section=section)
     same = np.arange(len(mesh.nodes))

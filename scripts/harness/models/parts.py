@@ -56,18 +56,10 @@ class Param:
 
 @dataclass(frozen=True)
 class Solid:
-    """Neo-Hookean solid.
+    """Neo-Hookean solid."""
 
-    Attributes
-    ----------
-    modulus : float
-        Young's modulus at small strain, MPa.
-    poisson : float
-        Poisson's ratio.
-    """
-
-    modulus: float
-    poisson: float = 0.0
+    modulus: float  # Young's modulus at small strain, MPa
+    poisson: float = 0.0  # Poisson's ratio
 
     def write(self, parent: Element, tag: str = "solid") -> Element:
         """Append the solid to `parent` under the name `tag`."""
@@ -80,22 +72,13 @@ class Solid:
 
 @dataclass(frozen=True)
 class Solute:
-    """Transport of one solute in one material.
+    """Transport of one solute in one material."""
 
-    Attributes
-    ----------
-    sol : int
-        Number of the solute in the model's list, from 1.
-    diffusivity, free_diffusivity : float
-        d in the mixture and d0 in the solvent, mm^2/s.
-    solubility : float
-        Effective solubility kappa~, dimensionless: actual c = kappa~ c~.
-    """
-
-    sol: int = 1
+    sol: int = 1  # number of the solute in the model's list, from 1
+    # d in the mixture and d0 in the solvent, mm^2/s.
     diffusivity: float = 5e-4
     free_diffusivity: float = 5e-4
-    solubility: float = 1.0
+    solubility: float = 1.0  # effective solubility kappa~, dimensionless: actual c = kappa~ c~
 
     def write(self, parent: Element) -> None:
         """Append the solute to the material `parent`."""
@@ -108,30 +91,15 @@ class Solute:
 
 @dataclass(frozen=True)
 class Mixture:
-    """Porous material: biphasic without solutes, biphasic-solute, triphasic or multiphasic with them.
-
-    Attributes
-    ----------
-    solid : Solid
-    permeability : float
-        Hydraulic permeability k, mm^4/(N s).
-    porosity : float
-        Reference volume fraction of the solvent, phi_w.
-    solutes : tuple of Solute
-    osmotic : float
-        Osmotic coefficient Phi.
-    fixed_charge : float
-        Charge density of the solid matrix, mM (mEq/L); for triphasic and multiphasic.
-    febio_type : str, optional
-        FEBio's name of the material; without it, multiphasic in the module of that name and biphasic-solute otherwise.
-    """
+    """Porous material: biphasic without solutes, biphasic-solute, triphasic or multiphasic with them."""
 
     solid: Solid
-    permeability: float
-    porosity: float = 0.8
+    permeability: float  # hydraulic permeability k, mm^4/(N s)
+    porosity: float = 0.8  # reference volume fraction of the solvent, phi_w
     solutes: tuple[Solute, ...] = ()
-    osmotic: float = 1.0
-    fixed_charge: float = 0.0
+    osmotic: float = 1.0  # osmotic coefficient Phi
+    fixed_charge: float = 0.0  # charge density of the solid matrix, mM (mEq/L); for triphasic and multiphasic
+    # FEBio's name of the material; without it, multiphasic in the module of that name and biphasic-solute otherwise.
     febio_type: str | None = None
 
     def kind(self, module: str) -> str:
@@ -172,14 +140,9 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Rigid:
-    """Rigid body: neither solvent nor solutes pass. Held by `hold_rigid`.
+    """Rigid body: neither solvent nor solutes pass. Held by `hold_rigid`."""
 
-    Attributes
-    ----------
-    centre : tuple of float, optional
-        Point on which forces act and about which the body turns, mm; the centre of mass without it.
-    """
-
+    # Point on which forces act and about which the body turns, mm; the centre of mass without it.
     centre: tuple[float, float, float] | None = None
     solutes: ClassVar[tuple[Solute, ...]] = ()
 
@@ -213,20 +176,12 @@ class Curve:
 
 @dataclass(frozen=True)
 class Condition:
-    """A boundary or initial condition on a node set, a load on a surface, or a constraint of a rigid body.
+    """A boundary or initial condition on a node set, a load on a surface, or a constraint of a rigid body."""
 
-    Attributes
-    ----------
-    tag, kind : str
-        ``bc``, ``ic``, ``surface_load``, ``rigid_bc`` or ``rigid_load``, and FEBio's type.
-    where : str
-        Name of the node set, surface, or material of the rigid body.
-    params : tuple of Param
-    """
-
+    # ``bc``, ``ic``, ``surface_load``, ``rigid_bc`` or ``rigid_load``, and FEBio's type.
     tag: str
     kind: str
-    where: str
+    where: str  # name of the node set, surface, or material of the rigid body
     params: tuple[Param, ...] = ()
 
     @property
@@ -317,30 +272,14 @@ def fluid_flux(where: str, value: float) -> Condition:
 
 @dataclass(frozen=True)
 class TimeStepper:
-    """FEBio's automatic time stepper.
+    """FEBio's automatic time stepper."""
 
-    Attributes
-    ----------
-    max_step : float
-        Largest step, s; 0 where `must_points` is given, whose values then are the largest step.
-    retries : int
-        How often a failed step is tried again.
-    optimal_iterations : int
-        Iterations above which the step shrinks.
-    must_points : int, optional
-        Number of the load curve whose points must be met.
-    aggressive : bool
-        Halve a failed step instead of taking off a fixed part.
-    force : bool
-        Always take the largest step allowed.
-    """
-
-    max_step: float
-    retries: int = 5
-    optimal_iterations: int = 11
-    must_points: int | None = None
-    aggressive: bool = False
-    force: bool = False
+    max_step: float  # largest step, s; 0 where `must_points` is given, whose values then are the largest step
+    retries: int = 5  # how often a failed step is tried again
+    optimal_iterations: int = 11  # iterations above which the step shrinks
+    must_points: int | None = None  # number of the load curve whose points must be met
+    aggressive: bool = False  # halve a failed step instead of taking off a fixed part
+    force: bool = False  # always take the largest step allowed
 
     def write(self, parent: Element) -> None:
         """Append the time stepper to the control section `parent`."""
@@ -356,48 +295,26 @@ class TimeStepper:
 
 @dataclass(frozen=True)
 class Control:
-    """Time steps and Newton tolerances.
+    """Time steps and Newton tolerances."""
 
-    Attributes
-    ----------
-    steps : int
-        Number of steps.
-    step : float
-        Size of a step, s.
-    displacement_tolerance, energy_tolerance, pressure_tolerance, concentration_tolerance : float
-        dtol, etol, ptol, ctol of FEBio, relative.
-    residual_tolerance : float
-        rtol of FEBio; 0 switches that test off.
-    reformations : int
-        Largest number of matrix reformations in a step.
-    stepper : TimeStepper, optional
-        Adaptive steps; fixed ones without it. The analysis ends at `steps` times `step` all the same.
-    solver : tuple of Param
-        Further parameters of the solver.
-    end : float, optional
-        End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
-    analysis : str, optional
-        FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
-    updates : int
-        Largest number of quasi-Newton updates (BFGS) between two matrices.
-    matrix : str
-        FEBio's name of the form of the solver's matrix: ``non-symmetric`` or ``symmetric``.
-    """
-
-    steps: int
-    step: float
+    steps: int  # number of steps
+    step: float  # size of a step, s
+    # dtol, etol, ptol, ctol of FEBio, relative.
     displacement_tolerance: float = 0.001
     energy_tolerance: float = 0.01
     pressure_tolerance: float = 0.01
     concentration_tolerance: float = 0.01
-    residual_tolerance: float = 0.0
-    reformations: int = 15
+    residual_tolerance: float = 0.0  # rtol of FEBio; 0 switches that test off
+    reformations: int = 15  # largest number of matrix reformations in a step
+    # Adaptive steps; fixed ones without it. The analysis ends at `steps` times `step` all the same.
     stepper: TimeStepper | None = None
-    solver: tuple[Param, ...] = ()
+    solver: tuple[Param, ...] = ()  # further parameters of the solver
+    # End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
     end: float | None = None
+    # FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
     analysis: str | None = None
-    updates: int = 0
-    matrix: str = "non-symmetric"
+    updates: int = 0  # largest number of quasi-Newton updates (BFGS) between two matrices
+    matrix: str = "non-symmetric"  # FEBio's name of the form of the solver's matrix: ``non-symmetric`` or ``symmetric``
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
         """Append the control section to the model `parent`."""

@@ -10,23 +10,12 @@ from harness.models.parts import Element, Param, child
 
 @dataclass(frozen=True)
 class Springs:
-    """Springs of one stiffness, which pull and push.
-
-    Attributes
-    ----------
-    name : str
-    stiffness : float
-        Of each spring, N/mm.
-    ends : ndarray of int, shape (n_springs, 2)
-        Node numbers, from 1.
-    curve : int, optional
-        Number of a load curve that is a factor of the stiffness.
-    """
+    """Springs of one stiffness, which pull and push."""
 
     name: str
-    stiffness: float
-    ends: Ids
-    curve: int | None = None
+    stiffness: float  # of each spring, N/mm
+    ends: Ids  # shape (n_springs, 2): node numbers, from 1
+    curve: int | None = None  # number of a load curve that is a factor of the stiffness
 
     def write_mesh(self, parent: Element) -> None:
         """Append the pairs of nodes to the section ``Mesh``."""

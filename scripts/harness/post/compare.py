@@ -20,25 +20,13 @@ SAME_PLACE = 1e-6
 
 @dataclass(frozen=True)
 class Measure:
-    """One measured number and the tolerance it is held against.
-
-    Attributes
-    ----------
-    name : str
-    value : float
-    tolerance : float
-        Largest value allowed.
-    lowest : float
-        Smallest value allowed.
-    note : str
-        Where the number comes from.
-    """
+    """One measured number and the tolerance it is held against."""
 
     name: str
     value: float
-    tolerance: float
-    lowest: float = -math.inf
-    note: str = ""
+    tolerance: float  # largest value allowed
+    lowest: float = -math.inf  # smallest value allowed
+    note: str = ""  # where the number comes from
 
     @property
     def passed(self) -> bool:
@@ -58,10 +46,7 @@ def missed(measures: Iterable[Measure]) -> list[str]:
 def counterparts(mesh: Mesh, reference: Mesh) -> Ids:
     """For each node of a split mesh, the index (from 0) of the node of the conforming mesh at the same place.
 
-    Raises
-    ------
-    ModelError
-        Where a node has no counterpart within `SAME_PLACE`.
+    Raises ModelError where a node has no counterpart within `SAME_PLACE`.
     """
     distance, index = cKDTree(reference.nodes).query(mesh.nodes)
     if np.any(distance > SAME_PLACE):
@@ -78,10 +63,7 @@ def largest_difference(split: RunResult, reference: RunResult, column: str) -> f
 def differences(split: RunResult, reference: RunResult, column: str) -> Array:
     """Differences of one nodal variable between a split body and the conforming reference, shape (n_times, n_nodes).
 
-    Raises
-    ------
-    ModelError
-        Where the times differ.
+    Raises ModelError where the times differ.
     """
     a, b = split.nodes, reference.nodes
     if a.times.shape != b.times.shape or not np.allclose(a.times, b.times, rtol=1e-8, atol=0.0):

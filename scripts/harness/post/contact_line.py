@@ -13,21 +13,11 @@ from harness.models.mesh import Mesh
 
 @dataclass(frozen=True)
 class Projection:
-    """Points projected on a line.
+    """Points projected on a line."""
 
-    Attributes
-    ----------
-    gap : ndarray, shape (n_points,)
-        mm along the normal of the line, negative where a point lies inside the other body.
-    segment : ndarray of int, shape (n_points,)
-        The segment of the line, from 0.
-    fraction : ndarray, shape (n_points,)
-        Place on the segment, from 0 to 1.
-    """
-
-    gap: Array
-    segment: Ids
-    fraction: Array
+    gap: Array  # shape (n_points,): mm along the normal of the line, negative where a point lies inside the other body
+    segment: Ids  # shape (n_points,): the segment of the line, from 0
+    fraction: Array  # shape (n_points,): place on the segment, from 0 to 1
 
     def sample(self, values: Array) -> Array:
         """Values on the line at the projections, of the values at its nodes."""

@@ -22,22 +22,13 @@ NEAR = 1e-9
 
 @dataclass(frozen=True)
 class Section:
-    """A plane of the undeformed mesh that is looked at.
+    """A plane of the undeformed mesh that is looked at."""
 
-    Attributes
-    ----------
-    across, up : int
-        Axes (0, 1, 2 for x, y, z) to the right and upwards in the picture.
-    level : float
-        Position of the plane along the third axis, mm.
-    mirrored : bool
-        Whether the mirror image at the vertical axis is drawn as well.
-    """
-
+    # Axes (0, 1, 2 for x, y, z) to the right and upwards in the picture.
     across: int = 0
     up: int = 1
-    level: float = 0.0
-    mirrored: bool = False
+    level: float = 0.0  # position of the plane along the third axis, mm
+    mirrored: bool = False  # whether the mirror image at the vertical axis is drawn as well
 
     @property
     def normal(self) -> int:
@@ -55,9 +46,6 @@ def draw_bodies(axes: Axes, mesh: Mesh, section: Section, positions: Array, valu
 
     Parameters
     ----------
-    axes : Axes
-    mesh : Mesh
-    section : Section
     positions : ndarray, shape (n_nodes, 3)
         Deformed, mm.
     values : ndarray, shape (n_nodes,)

@@ -27,21 +27,11 @@ from harness.run.logdata import History
 
 @dataclass(frozen=True)
 class State:
-    """Node data at one time.
+    """Node data at one time."""
 
-    Attributes
-    ----------
-    positions : ndarray, shape (n_nodes, 3)
-        mm.
-    pressure : ndarray, shape (n_nodes,)
-        p~, MPa.
-    concentrations : ndarray, shape (n_solutes, n_nodes)
-        c~, mM (= nmol/mm^3).
-    """
-
-    positions: Array
-    pressure: Array
-    concentrations: Array
+    positions: Array  # shape (n_nodes, 3): mm
+    pressure: Array  # shape (n_nodes,): p~, MPa
+    concentrations: Array  # shape (n_solutes, n_nodes): c~, mM (= nmol/mm^3)
 
     @property
     def concentration(self) -> Array:
@@ -64,7 +54,6 @@ def referential(material: Mixture, reference: Geometry, current: Geometry, conce
     ----------
     material : Mixture
         phi_w = 1 - phi_0/J, not less than 0, and c = kappa~ c~.
-    reference, current : Geometry
     concentrations : ndarray, shape (n_solutes, n_elements, n_nodes)
         Effective concentrations c~ of the elements' nodes, mM.
 
@@ -99,7 +88,6 @@ def inflows(model: Model, part: Part, before: State, after: State, step: float) 
     ----------
     model : Model
         All of whose mixtures have all its solutes.
-    part : Part
     before, after : State
         At the start and the end of the step.
     step : float

@@ -24,21 +24,11 @@ _SLIDING = (*_BASE, "symmetric_stiffness")
 
 @dataclass(frozen=True)
 class ContactType:
-    """A contact type of FEBio's, or this plugin's.
+    """A contact type of FEBio's, or this plugin's."""
 
-    Attributes
-    ----------
-    name : str
-        The attribute `type` in a model file.
-    home : str
-        FEBio's module that brings it; empty where every module has it.
-    parameters : frozenset of str
-        Its parameters, the hidden ones too.
-    """
-
-    name: str
-    home: str
-    parameters: frozenset[str]
+    name: str  # the attribute `type` in a model file
+    home: str  # FEBio's module that brings it; empty where every module has it
+    parameters: frozenset[str]  # its parameters, the hidden ones too
 
     @property
     def solvent(self) -> bool:

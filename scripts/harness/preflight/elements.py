@@ -24,16 +24,10 @@ _PYRAMID = ((0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4), (3, 2, 1, 0))
 
 @dataclass(frozen=True)
 class Shape:
-    """An element type.
-
-    Attributes
-    ----------
-    nodes : int
-    faces : tuple of tuple of int
-        Local numbers of the corners of each face, counter-clockwise seen from outside; none for shells and lines.
-    """
+    """An element type."""
 
     nodes: int
+    # Local numbers of the corners of each face, counter-clockwise seen from outside; none for shells and lines.
     faces: tuple[tuple[int, ...], ...] = ()
 
     @property

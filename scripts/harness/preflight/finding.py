@@ -22,25 +22,13 @@ class Severity(str, Enum):
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing found.
-
-    Attributes
-    ----------
-    severity : Severity
-    rule : str
-        Name of the rule, as in docs/reference/check.md.
-    place : Place
-    message : str
-        What was seen and what it will do, in plain words.
-    suggestion : str
-        What to change, with a value where there is one.
-    """
+    """One thing found."""
 
     severity: Severity
-    rule: str
+    rule: str  # name of the rule, as in docs/reference/check.md
     place: Place
-    message: str
-    suggestion: str
+    message: str  # what was seen and what it will do, in plain words
+    suggestion: str  # what to change, with a value where there is one
 
     def as_json(self) -> dict[str, str | int]:
         """The finding for scripts."""

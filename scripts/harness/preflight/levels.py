@@ -17,21 +17,11 @@ from harness.preflight.xml_file import Element, children, text
 
 @dataclass(frozen=True)
 class Level:
-    """A value of a field somewhere.
+    """A value of a field somewhere."""
 
-    Attributes
-    ----------
-    tag : Element
-        Of the value.
-    history : ndarray, shape (n, 2)
-        Time and value; empty where it is a formula.
-    nodes : ndarray of int, optional
-        Where it is; None for the ambient values of a contact.
-    """
-
-    tag: Element
-    history: Array
-    nodes: NDArray[np.int64] | None
+    tag: Element  # of the value
+    history: Array  # shape (n, 2): time and value; empty where it is a formula
+    nodes: NDArray[np.int64] | None  # where it is; None for the ambient values of a contact
 
     @property
     def first(self) -> float:
@@ -180,24 +170,12 @@ def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Arra
 
 @dataclass(frozen=True)
 class PrescribedNodes:
-    """Nodes of a contact that a boundary condition holds.
+    """Nodes of a contact that a boundary condition holds."""
 
-    Attributes
-    ----------
-    tag : Element
-        Of the condition's value.
-    field : str
-        What it holds.
-    nodes : int
-        Number of nodes.
-    as_ambient : bool
-        Whether at the ambient value.
-    """
-
-    tag: Element
-    field: str
-    nodes: int
-    as_ambient: bool
+    tag: Element  # of the condition's value
+    field: str  # what it holds
+    nodes: int  # number of nodes
+    as_ambient: bool  # whether at the ambient value
 
 
 def prescribed_nodes(joint: Joint) -> Iterator[PrescribedNodes]:

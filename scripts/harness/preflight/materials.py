@@ -19,15 +19,9 @@ _FIBRES = ("fiber", "fibre", "fib-", "CFD", "continuous", "ellipsoidal", "spheri
 
 @dataclass(frozen=True)
 class Solute:
-    """Transport of a solute; NaN where the file does not have a number.
+    """Transport of a solute; NaN where the file does not have a number."""
 
-    Attributes
-    ----------
-    diffusivity, free_diffusivity : float
-        d and d0, mm^2/s.
-    solubility : float
-    """
-
+    # d and d0, mm^2/s.
     diffusivity: float
     free_diffusivity: float
     solubility: float
@@ -35,30 +29,15 @@ class Solute:
 
 @dataclass(frozen=True)
 class Material:
-    """A material; properties are NaN where the file does not have them as numbers.
-
-    Attributes
-    ----------
-    name, kind : str
-    modulus : float
-        Young's modulus of the solid matrix, MPa; infinite for rigid bodies.
-    permeability : float
-        mm^4/(N s); 0 for solids without pores.
-    porosity : float
-    osmotic : float
-        Osmotic coefficient Phi.
-    solutes : mapping of int to Solute
-        By the number of the solute in the model.
-    tag : Element
-    """
+    """A material; properties are NaN where the file does not have them as numbers."""
 
     name: str
     kind: str
-    modulus: float
-    permeability: float
+    modulus: float  # Young's modulus of the solid matrix, MPa; infinite for rigid bodies
+    permeability: float  # mm^4/(N s); 0 for solids without pores
     porosity: float
-    osmotic: float
-    solutes: Mapping[int, Solute]
+    osmotic: float  # osmotic coefficient Phi
+    solutes: Mapping[int, Solute]  # by the number of the solute in the model
     tag: Element
 
     @property
@@ -82,7 +61,6 @@ def read(document: Document, solutes: Mapping[str, int]) -> dict[str, Material]:
 
     Parameters
     ----------
-    document : Document
     solutes : mapping of str to int
         Numbers of the model's solutes, by number and name as in the file.
     """

@@ -35,23 +35,12 @@ SECTIONS = ("Nodes", "Elements", "NodeSet", "Surface", "Edge", "ElementSet", "Pa
 
 @dataclass(frozen=True)
 class Block:
-    """Elements of one type and name.
-
-    Attributes
-    ----------
-    name : str
-    shape : Shape
-    nodes : ndarray of int, shape (n_elements, n_nodes)
-        Places of the nodes in the mesh's list, from 0.
-    ids : ndarray of int, shape (n_elements,)
-        Numbers of the elements in the file.
-    tag : Element
-    """
+    """Elements of one type and name."""
 
     name: str
     shape: elements.Shape
-    nodes: Ids
-    ids: Ids
+    nodes: Ids  # shape (n_elements, n_nodes): places of the nodes in the mesh's list, from 0
+    ids: Ids  # shape (n_elements,): numbers of the elements in the file
     tag: Element
 
     @property
@@ -62,22 +51,11 @@ class Block:
 
 @dataclass(frozen=True)
 class Surface:
-    """A named surface.
-
-    Attributes
-    ----------
-    name : str
-    corners : ndarray of int, shape (n_facets, 4)
-        Places of the corner nodes; a triangle repeats its last corner.
-    kinds : tuple of str
-        FEBio's facet types.
-    tag : Element
-    facet_tags : tuple of Element
-    """
+    """A named surface."""
 
     name: str
-    corners: Ids
-    kinds: tuple[str, ...]
+    corners: Ids  # shape (n_facets, 4): places of the corner nodes; a triangle repeats its last corner
+    kinds: tuple[str, ...]  # FEBio's facet types
     tag: Element
     facet_tags: tuple[Element, ...]
 
@@ -94,20 +72,11 @@ class Pair:
 
 @dataclass(frozen=True)
 class Mesh:
-    """All of it.
+    """All of it."""
 
-    Attributes
-    ----------
-    points : ndarray, shape (n_nodes, 3)
-    blocks : tuple of Block
-    node_sets : dict of str to ndarray of int
-        What FEBio makes node sets from is here too, as ``@surface:name``, ``@edge:``, ``@elem_set:``, ``@part_list:``.
-    surfaces : dict of str to Surface
-    pairs : dict of str to Pair
-    """
-
-    points: Points
+    points: Points  # shape (n_nodes, 3)
     blocks: tuple[Block, ...]
+    # What FEBio makes node sets from is here too, as ``@surface:name``, ``@edge:``, ``@elem_set:``, ``@part_list:``.
     node_sets: dict[str, Ids]
     surfaces: dict[str, Surface]
     pairs: dict[str, Pair]
@@ -133,26 +102,13 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Faces:
-    """Faces of volume elements.
+    """Faces of volume elements."""
 
-    Attributes
-    ----------
-    corners : ndarray of int, shape (n_faces, 4)
-        Counter-clockwise seen from outside their element.
-    element : ndarray of int, shape (n_faces,)
-        Number of their element, counted through all volume blocks.
-    key : ndarray of int, shape (n_faces,)
-        Equal for faces of the same nodes.
-    volume : ndarray, shape (n_elements,)
-    block : ndarray of int, shape (n_elements,)
-        Place of each element's block among the mesh's blocks.
-    """
-
-    corners: Ids
-    element: Ids
-    key: Ids
-    volume: NDArray[np.float64]
-    block: Ids
+    corners: Ids  # shape (n_faces, 4): counter-clockwise seen from outside their element
+    element: Ids  # shape (n_faces,): number of their element, counted through all volume blocks
+    key: Ids  # shape (n_faces,): equal for faces of the same nodes
+    volume: NDArray[np.float64]  # shape (n_elements,)
+    block: Ids  # shape (n_elements,): place of each element's block among the mesh's blocks
 
     def outer(self, chosen: NDArray[np.bool_]) -> Ids:
         """Places of the faces that have a chosen element, shape (n_elements,), on one side alone."""
@@ -214,13 +170,7 @@ class _Numbering:
     ids: Ids
 
     def places(self, numbers: Iterable[int], tag: Element) -> Ids:
-        """Places of nodes.
-
-        Raises
-        ------
-        ModelError
-            A node does not exist.
-        """
+        """Places of nodes. Raises ModelError: a node does not exist."""
         wanted = np.array(list(numbers), dtype=np.int64)
         found = np.minimum(np.searchsorted(self.ids, wanted), len(self.ids) - 1)
         missing = wanted[self.ids[found] != wanted] if len(wanted) else wanted
@@ -230,13 +180,7 @@ class _Numbering:
 
 
 def read(document: Document) -> Mesh:
-    """Read the mesh.
-
-    Raises
-    ------
-    ModelError
-        What is missing, unknown or malformed; names file, line and tag.
-    """
+    """Read the mesh. Raises ModelError: what is missing, unknown or malformed; names file, line and tag."""
     _refuse_unknown(document)
     points, numbering, sets = _read_nodes(document)
     blocks = tuple(_read_block(tag, numbering) for tag in document.all("Mesh", "Elements"))

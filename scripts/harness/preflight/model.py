@@ -40,20 +40,11 @@ METHODS = next(parameter.choices for parameter in PLUGIN_TYPES[MIXTURE] if param
 
 @dataclass(frozen=True)
 class Contact:
-    """A sliding contact.
-
-    Attributes
-    ----------
-    kind : ContactType
-    pair : Pair
-    step : int
-        Number of its analysis step, from 1; 0 where it is there in all.
-    tag : Element
-    """
+    """A sliding contact."""
 
     kind: ContactType
     pair: Pair
-    step: int
+    step: int  # number of its analysis step, from 1; 0 where it is there in all
     tag: Element
 
     def given(self, name: str) -> Element | None:
@@ -114,17 +105,9 @@ class Contact:
 
 @dataclass(frozen=True)
 class Condition:
-    """A boundary condition, initial condition or load.
+    """A boundary condition, initial condition or load."""
 
-    Attributes
-    ----------
-    kind : str
-        FEBio's type.
-    step : int
-    tag : Element
-    """
-
-    kind: str
+    kind: str  # FEBio's type
     step: int
     tag: Element
 
@@ -229,13 +212,7 @@ class Model:
         return points * (1.0, value)
 
     def nodes(self, condition: Condition) -> NDArray[np.int64]:
-        """Places of the nodes of a condition.
-
-        Raises
-        ------
-        ModelError
-            Where the set does not exist.
-        """
+        """Places of the nodes of a condition. Raises ModelError where the set does not exist."""
         name = attribute(condition.tag, "node_set")
         found = self.mesh.node_sets.get(name)
         if found is None:
@@ -247,10 +224,7 @@ class Model:
 def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
     """Read a model file and what it includes; what `instead` has is read in place of files.
 
-    Raises
-    ------
-    ModelError
-        Names the file, line and tag, and what is allowed.
+    Raises ModelError: names the file, line and tag, and what is allowed.
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")

@@ -18,25 +18,14 @@ TRACTION_FACTOR, FLUX_FACTOR = 1e3, 1e5
 
 @dataclass(frozen=True)
 class Penalty:
-    """A penalty in effect; NaN where a property of a material is no number.
+    """A penalty in effect; NaN where a property of a material is no number."""
 
-    Attributes
-    ----------
-    value : float
-        eps, in the unit of the field: MPa/mm, mm^3/(N s) or mm/s.
-    local : float
-        Stiffness or conductance of the adjoining elements that it is measured against, same unit.
-    given, factor : bool
-        Whether the model has it, and whether that is a factor on `local`.
-    tag : Element
-        Where to change it.
-    """
-
-    value: float
-    local: float
+    value: float  # eps, in the unit of the field: MPa/mm, mm^3/(N s) or mm/s
+    local: float  # stiffness or conductance of the adjoining elements that it is measured against, same unit
+    # Whether the model has it, and whether that is a factor on `local`.
     given: bool
     factor: bool
-    tag: Element
+    tag: Element  # where to change it
 
 
 def penalty(joint: Joint, field: Field) -> Penalty:

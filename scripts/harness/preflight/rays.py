@@ -25,18 +25,11 @@ STEEP = 1e-3
 
 @dataclass(frozen=True)
 class Hits:
-    """What each ray meets.
+    """What each ray meets."""
 
-    Attributes
-    ----------
-    distance : ndarray, shape (n_rays,)
-        Along the ray, negative behind its origin; NaN where it meets nothing.
-    triangle : ndarray of int, shape (n_rays,)
-        -1 where it meets nothing.
-    """
-
+    # shape (n_rays,): along the ray, negative behind its origin; NaN where it meets nothing.
     distance: NDArray[np.float64]
-    triangle: NDArray[np.int64]
+    triangle: NDArray[np.int64]  # shape (n_rays,): -1 where it meets nothing
 
 
 def triangles(corners: Points) -> Points:

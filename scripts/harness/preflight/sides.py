@@ -31,22 +31,12 @@ DEFAULT_RADIUS = 1.0
 
 @dataclass(frozen=True)
 class Side:
-    """One surface of a contact.
-
-    Attributes
-    ----------
-    model : Model
-    surface : Surface
-    turned : bool
-        Whether the contact turns its facets round.
-    at_back : bool
-        Whether it is the back faces of shells, which lie a thickness behind these nodes.
-    """
+    """One surface of a contact."""
 
     model: Model
     surface: Surface
-    turned: bool = False
-    at_back: bool = False
+    turned: bool = False  # whether the contact turns its facets round
+    at_back: bool = False  # whether it is the back faces of shells, which lie a thickness behind these nodes
 
     @cached_property
     def corners(self) -> Array:
@@ -211,23 +201,12 @@ def _limited(value: float) -> bool:
 
 @dataclass(frozen=True)
 class Field:
-    """What a contact exchanges, and the parameter of its penalty.
+    """What a contact exchanges, and the parameter of its penalty."""
 
-    Attributes
-    ----------
-    name : str
-        In plain words.
-    penalty : str
-    tolerance : str
-        Parameter of the absolute tolerance.
-    solute : int
-        Number of the solute; 0 for others.
-    """
-
-    name: str
+    name: str  # in plain words
     penalty: str
-    tolerance: str
-    solute: int = 0
+    tolerance: str  # parameter of the absolute tolerance
+    solute: int = 0  # number of the solute; 0 for others
 
     def property_of(self, material: Material) -> float:
         """Modulus, permeability or phi_w kappa~ d."""

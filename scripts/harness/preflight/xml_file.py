@@ -38,13 +38,7 @@ _TELLING = ("name", "id", "sol", "type", "bc")
 
 
 def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
-    """Root of a model file, where contacts of two tags without content are marked.
-
-    Raises
-    ------
-    ModelError
-        As `root_of`.
-    """
+    """Root of a model file, where contacts of two tags without content are marked. Raises ModelError: as `root_of`."""
     data = content(path, instead)
     root = root_of(path, data)
     _mark_empty_contacts(root, data)
@@ -52,13 +46,7 @@ def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
 
 
 def root_of(path: Path, data: bytes) -> Element:
-    """Root of the content of a model file.
-
-    Raises
-    ------
-    ModelError
-        It is no XML, or no FEBio model of one of `VERSIONS`.
-    """
+    """Root of the content of a model file. Raises ModelError: it is no XML, or no FEBio model of one of `VERSIONS`."""
     parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
     try:
         root = etree.fromstring(data, parser, base_url=str(path))
@@ -87,12 +75,7 @@ def _mark_empty_contacts(root: Element, data: bytes) -> None:
 
 
 def content(path: Path, instead: Contents = AS_THEY_ARE) -> bytes:
-    """The bytes of a file.
-
-    Raises
-    ------
-    ModelError
-    """
+    """The bytes of a file. Raises ModelError."""
     if path in instead:
         return instead[path]
     try:
@@ -142,22 +125,12 @@ class Reference:
 
 @dataclass(frozen=True)
 class Document:
-    """The sections of a model, from all of its files, in the order in which FEBio reads them.
-
-    Attributes
-    ----------
-    path : Path
-    root : Element
-        Of the model file itself.
-    sections : tuple of Element
-    references : tuple of Reference
-        One before those in the file that it names.
-    """
+    """The sections of a model, from all of its files, in the order in which FEBio reads them."""
 
     path: Path
-    root: Element
+    root: Element  # of the model file itself
     sections: tuple[Element, ...]
-    references: tuple[Reference, ...] = ()
+    references: tuple[Reference, ...] = ()  # one before those in the file that it names
 
     @property
     def version(self) -> str:
@@ -189,10 +162,7 @@ class Document:
 def read(path: Path, instead: Contents = AS_THEY_ARE) -> Document:
     """Read a model file and what it includes, in the format in which it is written.
 
-    Raises
-    ------
-    ModelError
-        As `parse`; an included file that is missing, includes itself, or is of another format.
+    Raises ModelError: as `parse`; an included file that is missing, includes itself, or is of another format.
     """
     root = parse(path, instead)
     references: list[Reference] = []
@@ -235,10 +205,7 @@ def _section_from(section: Element, file: Path, root: Element) -> Element:
 def included(model: Path, where: Place, name: str, instead: Contents = AS_THEY_ARE) -> Path:
     """The file that a section names; FEBio looks beside the model file, or from where it is started.
 
-    Raises
-    ------
-    ModelError
-        There is none.
+    Raises ModelError: there is none.
     """
     beside = model.parent / name
     if name and (beside in instead or beside.is_file()):
@@ -255,13 +222,7 @@ def text(element: Element) -> str:
 
 
 def number(element: Element) -> float:
-    """The finite number in an element.
-
-    Raises
-    ------
-    ModelError
-        Where there is none.
-    """
+    """The finite number in an element. Raises ModelError where there is none."""
     try:
         value = float(text(element))
     except ValueError:
@@ -303,12 +264,7 @@ def chosen(value: str, words: Sequence[str]) -> int | None:
 
 
 def floats(element: Element, size: int) -> NDArray[np.float64]:
-    """So many finite numbers, separated by commas.
-
-    Raises
-    ------
-    ModelError
-    """
+    """So many finite numbers, separated by commas. Raises ModelError."""
     parts = text(element).split(",")
     try:
         values = np.array([float(part) for part in parts])
@@ -320,12 +276,7 @@ def floats(element: Element, size: int) -> NDArray[np.float64]:
 
 
 def integers(element: Element) -> list[int]:
-    """Node or element numbers separated by commas; FEBio's ranges ``1:9`` or ``1:9:2`` count out.
-
-    Raises
-    ------
-    ModelError
-    """
+    """Node or element numbers separated by commas; FEBio's ranges ``1:9`` or ``1:9:2`` count out. Raises ModelError."""
     found: list[int] = []
     for part in text(element).replace("\n", ",").split(","):
         if not part.strip():
@@ -348,12 +299,7 @@ def _range(ends: list[int]) -> list[int]:
 
 
 def attribute(element: Element, name: str) -> str:
-    """An attribute that must be there.
-
-    Raises
-    ------
-    ModelError
-    """
+    """An attribute that must be there. Raises ModelError."""
     value = element.get(name)
     if not value:
         raise ModelError(f"{place(element)}: has no attribute '{name}', which FEBio needs")
@@ -361,12 +307,7 @@ def attribute(element: Element, name: str) -> str:
 
 
 def identifier(element: Element) -> int:
-    """The number in the attribute `id`.
-
-    Raises
-    ------
-    ModelError
-    """
+    """The number in the attribute `id`. Raises ModelError."""
     try:
         return int(attribute(element, "id"))
     except ValueError as error:

@@ -21,10 +21,7 @@ _WANTED_OF_FLUID = (history.FLUID[1], history.SOLVENT_FLOW, history.SOLUTE_FLOW)
 def make(model: Path, folder: Path) -> Page:
     """Draw the pictures of a run into a folder, with the surfaces as VTK files, and gather what its page says.
 
-    Raises
-    ------
-    DataFileError
-        No log or plot file beside the model, one that cannot be read, or no contact pressure in it.
+    Raises DataFileError: no log or plot file beside the model, one that cannot be read, or no contact pressure in it.
     """
     log = _text_of(model.with_suffix(".log"), model)
     document = newest.read(model)

@@ -19,35 +19,19 @@ SOLVENT_FLOW, SOLUTE_FLOW = "contact solvent flow", "contact solute flow"
 
 @dataclass(frozen=True)
 class Contact:
-    """One surface of a contact over the states of a run; arrays have one entry per state.
-
-    Attributes
-    ----------
-    surface : Surface
-    place : int
-        Which of the plot file's surfaces it is.
-    time : numpy.ndarray
-        s.
-    force : numpy.ndarray
-        Magnitude of the contact force on the surface, N.
-    area : numpy.ndarray
-        Area of the facets under pressure, mm^2.
-    peak, mean : numpy.ndarray
-        Contact pressure: the largest of a facet, and its mean over the area, MPa.
-    fluid_share : numpy.ndarray
-        Part of the normal force that the fluid pressure bears in the contact; NaN where that is unknown.
-    flows : dict
-        Per solvent or solute what has left the body through the surface since the first state, mm^3 or nmol.
-    """
+    """One surface of a contact over the states of a run; arrays have one entry per state."""
 
     surface: Surface
-    place: int
-    time: Floats
-    force: Floats
-    area: Floats
+    place: int  # which of the plot file's surfaces it is
+    time: Floats  # s
+    force: Floats  # magnitude of the contact force on the surface, N
+    area: Floats  # area of the facets under pressure, mm^2
+    # Contact pressure: the largest of a facet, and its mean over the area, MPa.
     peak: Floats
     mean: Floats
+    # Part of the normal force that the fluid pressure bears in the contact; NaN where that is unknown.
     fluid_share: Floats
+    # Per solvent or solute what has left the body through the surface since the first state, mm^3 or nmol.
     flows: dict[str, Floats]
 
 

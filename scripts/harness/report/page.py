@@ -22,14 +22,7 @@ td.n{text-align:right;font-variant-numeric:tabular-nums}
 
 @dataclass(frozen=True)
 class Table:
-    """A table under a heading.
-
-    Attributes
-    ----------
-    heading : str
-    columns : tuple of str
-    rows : list of tuple of str
-    """
+    """A table under a heading."""
 
     heading: str
     columns: tuple[str, ...]

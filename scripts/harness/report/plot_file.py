@@ -24,61 +24,32 @@ _SURFACES, _DOMAINS = "meshes/0/surfaces/", "meshes/0/domains/"
 
 @dataclass(frozen=True)
 class State:
-    """Results at one time.
+    """Results at one time."""
 
-    Attributes
-    ----------
-    time : float
-        s.
-    nodal : dict
-        Per variable an array of shape (nodes, components).
-    on_surfaces : dict
-        Per variable a list with an array per surface, in the order of `PlotFile.surfaces`; None where FEBio wrote
-        nothing for a surface. Rows are facets, corners of facets, nodes of the surface, or one for the surface.
-    in_domains : dict
-        Per variable an array of shape (nodes, components) where FEBio wrote values at nodes of domains; NaN elsewhere.
-    """
-
-    time: float
-    nodal: dict[str, Floats]
+    time: float  # s
+    nodal: dict[str, Floats]  # per variable an array of shape (nodes, components)
+    # Per variable a list with an array per surface, in the order of `PlotFile.surfaces`; None where FEBio wrote nothing
+    # for a surface. Rows are facets, corners of facets, nodes of the surface, or one for the surface.
     on_surfaces: dict[str, list[Floats | None]]
+    # Per variable an array of shape (nodes, components) where FEBio wrote values at nodes of domains; NaN elsewhere.
     in_domains: dict[str, Floats]
 
 
 @dataclass(frozen=True, eq=False)
 class Domain:
-    """Elements of one kind.
+    """Elements of one kind."""
 
-    Attributes
-    ----------
-    kind : int
-        FEBio's number of the element's shape in a plot file.
-    elements : numpy.ndarray, shape (elements, nodes of each)
-        Nodes, counted from 0 in the mesh.
-    """
-
-    kind: int
-    elements: Integers
+    kind: int  # FEBio's number of the element's shape in a plot file
+    elements: Integers  # shape (elements, nodes of each): nodes, counted from 0 in the mesh
 
 
 @dataclass(frozen=True)
 class PlotFile:
-    """Mesh and results of a run.
+    """Mesh and results of a run."""
 
-    Attributes
-    ----------
-    nodes : numpy.ndarray, shape (nodes, 3)
-        Reference positions, mm.
-    surfaces : list of Surface
-        Surfaces of the model file, in FEBio's order.
-    domains : dict of Domain
-        By name.
-    states : list of State
-    """
-
-    nodes: Floats
-    surfaces: list[Surface]
-    domains: dict[str, Domain]
+    nodes: Floats  # shape (nodes, 3): reference positions, mm
+    surfaces: list[Surface]  # surfaces of the model file, in FEBio's order
+    domains: dict[str, Domain]  # by name
     states: list[State]
 
     def positions(self, state: State) -> Floats:
@@ -119,10 +90,7 @@ class _Memory:
 def read(path: Path) -> PlotFile:
     """Read a plot file.
 
-    Raises
-    ------
-    DataFileError
-        No plot file of FEBio, a compressed one, one without results, or one that pyfebio cannot read.
+    Raises DataFileError: no plot file of FEBio, a compressed one, one without results, or one that pyfebio cannot read.
     """
     memory = _parsed(path)
     nodes = _coordinates(memory)

@@ -32,17 +32,10 @@ def in_order_of_appearance(nodes: Integers) -> Integers:
 
 @dataclass(frozen=True)
 class Surface:
-    """Facets with a name.
-
-    Attributes
-    ----------
-    name : str
-    facets : tuple of numpy.ndarray
-        Per facet its nodes, counted from 0 in the mesh.
-    """
+    """Facets with a name."""
 
     name: str
-    facets: tuple[Integers, ...]
+    facets: tuple[Integers, ...]  # per facet its nodes, counted from 0 in the mesh
 
     @classmethod
     def from_faces(cls, name: str, faces: NDArray[np.int32]) -> Surface:
@@ -85,10 +78,7 @@ class Surface:
     def at_facets(self, values: Floats) -> Floats:
         """Values per facet, shape (facets, components), of values at facets, at their corners, at nodes or of all.
 
-        Raises
-        ------
-        ValueError
-            Where the number of rows is none of these.
+        Raises ValueError where the number of rows is none of these.
         """
         counts = np.array([len(facet) for facet in self.facets])
         if len(values) == len(counts):

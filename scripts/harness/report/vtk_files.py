@@ -31,12 +31,10 @@ def write_surfaces(plot: PlotFile, contacts: Sequence[Contact], number: int, fol
 
     Parameters
     ----------
-    plot : PlotFile
     contacts : sequence of Contact
         Surfaces to write.
     number : int
         The state, from 0.
-    folder : Path
     """
     state, files = plot.states[number], []
     for index, contact in enumerate(contacts):

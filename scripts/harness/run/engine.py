@@ -28,20 +28,14 @@ _FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
 
 @dataclass(frozen=True)
 class Run:
-    """A finished run: where its files are, what febio4 said, how long it took, its processor time (both s), and memory.
-
-    Attributes
-    ----------
-    memory : float
-        The largest it had, MB; NaN where the system does not say.
-    """
+    """A finished run: where its files are, what febio4 said, wall and processor time (both s), and memory."""
 
     folder: Path
     report: febio_log.Report
     output: str
     wall: float
     cpu: float
-    memory: float = math.nan
+    memory: float = math.nan  # the largest it had, MB; NaN where the system does not say
 
 
 class Host(Protocol):
@@ -84,10 +78,7 @@ USUAL_ROOTS = (
 def find_engine() -> Path:
     """The febio4 executable: under ``$FEBIO_ROOT``, else in the folders that the build searches, else on the PATH.
 
-    Raises
-    ------
-    EngineNotFoundError
-        Where there is none, saying where it was looked for.
+    Raises EngineNotFoundError where there is none, saying where it was looked for.
     """
     given = os.environ.get("FEBIO_ROOT")
     roots = [Path(given)] if given else [Path(root).expanduser() for root in USUAL_ROOTS]
@@ -108,10 +99,7 @@ def find_engine() -> Path:
 def required_plugin() -> Path:
     """The plugin library: that of `plugin_library`; outside a checkout else one beside febio4 or in ../lib from it.
 
-    Raises
-    ------
-    PluginNotFoundError
-        Where it has not been built, or where an installed command finds none.
+    Raises PluginNotFoundError where it has not been built, or where an installed command finds none.
     """
     library = plugin_library()
     if is_checkout() or os.environ.get(PLUGIN_VARIABLE):
@@ -144,10 +132,7 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
     options : sequence of str
         Further arguments of febio4, such as ``-dump``.
 
-    Raises
-    ------
-    EngineNotFoundError
-        No febio4.
+    Raises EngineNotFoundError: no febio4.
     """
     load = [] if plugin is None else ["-import", str(plugin)]
     return [str(find_engine()), "-i", model.name, *options, *load]
@@ -156,10 +141,7 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
 def limited(command: Sequence[str], seconds: float | None) -> list[str]:
     """The same command line, ended by the system after so much processor time, which other work does not change.
 
-    Raises
-    ------
-    EngineFailedError
-        Where the system has no ``prlimit`` for it.
+    Raises EngineFailedError where the system has no ``prlimit`` for it.
     """
     if seconds is None:
         return list(command)
@@ -190,10 +172,7 @@ def execute(
     timeout : float, optional
         s after which the run is ended, and then did not end normally.
 
-    Raises
-    ------
-    EngineFailedError
-        With `check`, where febio4 did not end normally; quotes FEBio's own words.
+    Raises EngineFailedError: with `check`, where febio4 did not end normally; quotes FEBio's own words.
     """
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()

@@ -12,33 +12,19 @@ from harness.preflight.xml_file import Document, Element, number, place
 
 @dataclass(frozen=True)
 class FebFile:
-    """What the harness needs to know of a model file.
-
-    Attributes
-    ----------
-    path : Path
-    module : str
-        FEBio's module.
-    contacts : tuple of str
-        Types of the contact interfaces.
-    end : float
-        Time at which the last analysis step ends, s; 0 where the file does not say.
-    """
+    """What the harness needs to know of a model file."""
 
     path: Path
-    module: str
-    contacts: tuple[str, ...]
-    end: float
+    module: str  # FEBio's module
+    contacts: tuple[str, ...]  # types of the contact interfaces
+    end: float  # time at which the last analysis step ends, s; 0 where the file does not say
 
 
 def inspect(path: Path) -> FebFile:
     """Read a model file and what it includes.
 
-    Raises
-    ------
-    ModelError
-        No such file, no XML, no FEBio model, or a contact without a type or with a surface pair that does not exist;
-        names the file, the line, the tag and what is allowed.
+    Raises ModelError: no such file, no XML, no FEBio model, or a contact without a type or with a surface pair that
+    does not exist; names the file, the line, the tag and what is allowed.
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")

@@ -21,32 +21,20 @@ _BOX = re.compile(r"^\s\*+\n((?:\s\*.*\*\n)+?)\s\*+$", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Report:
-    """The outcome of one run.
+    """The outcome of one run."""
 
-    Attributes
-    ----------
-    normal : bool
-        Whether febio4 wrote "N O R M A L   T E R M I N A T I O N".
-    steps, iterations, residuals, reformations : int
-        Completed time steps, Newton iterations, residual evaluations and matrix reformations over the whole run,
-        those of failed attempts included.
-    retries, augmentations : int
-        Time steps tried again, and augmentations done.
-    errors : tuple of str
-        FEBio's error texts.
-    warnings : tuple of str
-        FEBio's warnings, each once.
-    """
-
-    normal: bool
+    normal: bool  # whether febio4 wrote "N O R M A L   T E R M I N A T I O N"
+    # Completed time steps, Newton iterations, residual evaluations and matrix reformations over the whole run, those of
+    # failed attempts included.
     steps: int
     iterations: int
     residuals: int
     reformations: int
+    # Time steps tried again, and augmentations done.
     retries: int
     augmentations: int
-    errors: tuple[str, ...] = ()
-    warnings: tuple[str, ...] = ()
+    errors: tuple[str, ...] = ()  # FEBio's error texts
+    warnings: tuple[str, ...] = ()  # FEBio's warnings, each once
 
 
 def parse(text: str) -> Report:

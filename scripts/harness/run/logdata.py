@@ -16,24 +16,12 @@ from harness.errors import DataFileError
 
 @dataclass(frozen=True)
 class History:
-    """Node or element data over time.
+    """Node or element data over time."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n_times,)
-        s; the first is the initial state where febio4 wrote it.
-    items : ndarray of int, shape (n_items,)
-        Node or element numbers, from 1.
-    columns : tuple of str
-        Names of the data.
-    values : ndarray, shape (n_times, n_items, n_columns)
-        12 significant digits, as febio4 writes them.
-    """
-
-    times: Array
-    items: NDArray[np.int64]
-    columns: tuple[str, ...]
-    values: Array
+    times: Array  # shape (n_times,): s; the first is the initial state where febio4 wrote it
+    items: NDArray[np.int64]  # shape (n_items,): node or element numbers, from 1
+    columns: tuple[str, ...]  # names of the data
+    values: Array  # shape (n_times, n_items, n_columns): 12 significant digits, as febio4 writes them
 
     def __getitem__(self, column: str) -> Array:
         """The values of one column, shape (n_times, n_items)."""
@@ -52,10 +40,7 @@ class History:
     def at(self, time: float) -> int:
         """Index of the state at `time` (s).
 
-        Raises
-        ------
-        DataFileError
-            Where no state lies within 1e-6 of it, relative to the last time.
+        Raises DataFileError where no state lies within 1e-6 of it, relative to the last time.
         """
         index = int(np.argmin(np.abs(self.times - time)))
         if abs(self.times[index] - time) > self._resolution:
@@ -78,10 +63,7 @@ def read_history(path: Path, columns: tuple[str, ...]) -> History:
     columns : tuple of str
         Names of its columns, the number of the node or element left out.
 
-    Raises
-    ------
-    DataFileError
-        A missing file, a file without data, or one whose blocks differ in size; names file and line.
+    Raises DataFileError: a missing file, a file without data, or one whose blocks differ in size; names file and line.
     """
     try:
         return _read(path, columns, path.stat().st_mtime_ns)

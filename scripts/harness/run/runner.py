@@ -29,31 +29,15 @@ Announce = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class RunResult:
-    """A model and what came of it.
-
-    Attributes
-    ----------
-    model : Model
-    folder : Path
-        Where its files are.
-    report : febio_log.Report
-    wall : float
-        s, of the run itself.
-    cpu : float
-        Its processor time, s.
-    limit : float, optional
-        s of processor time after which it was to be ended.
-    memory : float
-        The largest it had, MB; NaN where it is not known.
-    """
+    """A model and what came of it."""
 
     model: Model
-    folder: Path
+    folder: Path  # where its files are
     report: febio_log.Report
-    wall: float
-    cpu: float
-    limit: float | None = None
-    memory: float = math.nan
+    wall: float  # s, of the run itself
+    cpu: float  # its processor time, s
+    limit: float | None = None  # s of processor time after which it was to be ended
+    memory: float = math.nan  # the largest it had, MB; NaN where it is not known
 
     @property
     def nodes(self) -> logdata.History:
@@ -85,26 +69,13 @@ class RunResult:
 
 @dataclass
 class Runner:
-    """Runs models in folders below `root` and keeps what they wrote; safe for several processes at a time.
-
-    Attributes
-    ----------
-    root : Path
-    announce : callable, optional
-        Told of progress.
-    timeout : float, optional
-        s after which a run is ended.
-    processor_limit : float, optional
-        s of processor time after which a run is ended.
-    host : engine.Host
-        What runs them; febio4 without it.
-    """
+    """Runs models in folders below `root` and keeps what they wrote; safe for several processes at a time."""
 
     root: Path
-    announce: Announce | None = None
-    timeout: float | None = None
-    processor_limit: float | None = None
-    host: engine.Host = field(default_factory=engine.Febio4)
+    announce: Announce | None = None  # told of progress
+    timeout: float | None = None  # s after which a run is ended
+    processor_limit: float | None = None  # s of processor time after which a run is ended
+    host: engine.Host = field(default_factory=engine.Febio4)  # what runs them; febio4 without it
     _known: dict[str, RunResult] = field(default_factory=dict)
 
     def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> RunResult:
@@ -112,16 +83,12 @@ class Runner:
 
         Parameters
         ----------
-        model : Model
         options : sequence of str
             Further arguments of febio4.
         check : bool
             Whether a run that does not end normally is an error.
 
-        Raises
-        ------
-        EngineNotFoundError, PluginNotFoundError, EngineFailedError
-            See `harness.run.engine`.
+        Raises EngineNotFoundError, PluginNotFoundError, EngineFailedError: see `harness.run.engine`.
         """
         key = _key(model, self.host.binaries(needs_plugin(model)), options)
         if key not in self._known:

@@ -16,10 +16,7 @@ EXECUTABLE_VARIABLE = "MIXTURE_CONTACT_STANDALONE"
 def find() -> Path:
     """The executable: ``$MIXTURE_CONTACT_STANDALONE`` if set, else the one that a build leaves in build/bin.
 
-    Raises
-    ------
-    EngineNotFoundError
-        Where there is none.
+    Raises EngineNotFoundError where there is none.
     """
     chosen = os.environ.get(EXECUTABLE_VARIABLE)
     executable = Path(chosen) if chosen else REPOSITORY / "build" / "bin" / "mixture-contact"

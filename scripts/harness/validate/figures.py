@@ -54,13 +54,8 @@ def draw(profiles: Sequence[Profile], folder: Path) -> list[Path]:
 
     Parameters
     ----------
-    profiles : sequence of Profile
     folder : Path
         Where the PNG files go; made where needed.
-
-    Returns
-    -------
-    list of Path
     """
     folder.mkdir(parents=True, exist_ok=True)
     return [_diffusion(_of(profiles, DIFFUSION), folder), _convection(_of(profiles, CONVECTION), folder)]

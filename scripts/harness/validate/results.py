@@ -18,41 +18,22 @@ FILE_NAME = "validation.json"
 
 @dataclass(frozen=True)
 class Profile:
-    """A simulated curve for a figure.
+    """A simulated curve for a figure."""
 
-    Attributes
-    ----------
-    figure : str
-        Name of the figure, see `harness.validate.figures`.
-    parameter : float
-        Time (s) in figure 3.2, Peclet number in figure 3.3.
-    z, c : list of float
-        Position (mm) and concentration (mM) of each node of a line through both bodies.
-    """
-
-    figure: str
-    parameter: float
+    figure: str  # name of the figure, see `harness.validate.figures`
+    parameter: float  # time (s) in figure 3.2, Peclet number in figure 3.3
+    # Position (mm) and concentration (mM) of each node of a line through both bodies.
     z: list[float]
     c: list[float]
 
 
 @dataclass
 class Results:
-    """Everything that a validation found.
+    """Everything that a validation found."""
 
-    Attributes
-    ----------
-    interface : str
-        What joined the bodies.
-    checks : dict of str to list of Measure
-    left_out : dict of str to str
-        Checks that could not be made, and why.
-    profiles : list of Profile
-    """
-
-    interface: str
+    interface: str  # what joined the bodies
     checks: dict[str, list[Measure]] = field(default_factory=dict)
-    left_out: dict[str, str] = field(default_factory=dict)
+    left_out: dict[str, str] = field(default_factory=dict)  # checks that could not be made, and why
     profiles: list[Profile] = field(default_factory=list)
 
     @property
@@ -94,10 +75,7 @@ def measures_as_data(measures: Sequence[Measure]) -> list[dict[str, Any]]:
 def read(path: Path) -> Results:
     """Read what `Results.write` wrote.
 
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that is not such a file; names it and what is wrong.
+    Raises DataFileError: a missing file, or one that is not such a file; names it and what is wrong.
     """
     try:
         data = json.loads(path.read_text())

@@ -24,8 +24,6 @@ def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finish
 
     Parameters
     ----------
-    context : Context
-    checks : sequence of Check
     jobs : int
         Number of febio4 runs at a time.
     finished : callable, optional

@@ -31,32 +31,15 @@ PLAY = 0.05
 
 @dataclass(frozen=True)
 class Compartment:
-    """One side of the knee.
-
-    Attributes
-    ----------
-    name : str
-    centre : float
-        x of the lowest point of the condyle.
-    length : float
-        Half the length of the plateau's cartilage, along y.
-    rim : tuple of float
-        Semi-axes of the meniscus's rim along x and y.
-    width : float
-        Of the meniscus.
-    opening : float
-        Half the angle, as parameter of the ellipse, in which the meniscus is open.
-    hollow : bool
-        Whether the plateau is concave in all sections; convex in sagittal sections else.
-    """
+    """One side of the knee."""
 
     name: str
-    centre: float
-    length: float
-    rim: tuple[float, float]
-    width: float
-    opening: float
-    hollow: bool
+    centre: float  # x of the lowest point of the condyle
+    length: float  # half the length of the plateau's cartilage, along y
+    rim: tuple[float, float]  # semi-axes of the meniscus's rim along x and y
+    width: float  # of the meniscus
+    opening: float  # half the angle, as parameter of the ellipse, in which the meniscus is open
+    hollow: bool  # whether the plateau is concave in all sections; convex in sagittal sections else
 
     @property
     def inwards(self) -> float:

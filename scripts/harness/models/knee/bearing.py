@@ -46,31 +46,17 @@ class Load(str, Enum):
 
 @dataclass(frozen=True)
 class Loading:
-    """Conditions on the bones, with their load curves and time steps.
+    """Conditions on the bones, with their load curves and time steps."""
 
-    Attributes
-    ----------
-    end : float
-        s.
-    largest_step : tuple of (float, float)
-        Time (s) and the largest step (s) there; a step ends at each of these times.
-    force : Curve
-        N.
-    flexion : Curve, optional
-        rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one
-        rotation is given and another one free.
-    softening : Curve, optional
-        Factor of the stiffness of stands that hold the femur at first.
-    about : str
-        The load in a sentence.
-    """
-
-    end: float
+    end: float  # s
+    # Time (s) and the largest step (s) there; a step ends at each of these times.
     largest_step: tuple[tuple[float, float], ...]
-    force: Curve
+    force: Curve  # N
+    # rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one rotation
+    # is given and another one free.
     flexion: Curve | None = None
-    softening: Curve | None = None
-    about: str = ""
+    softening: Curve | None = None  # factor of the stiffness of stands that hold the femur at first
+    about: str = ""  # the load in a sentence
 
     @property
     def curves(self) -> tuple[Curve, ...]:

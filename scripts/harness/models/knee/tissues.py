@@ -46,14 +46,9 @@ AROUND, ACROSS, UP = (1, 2), (1, 4), (1, 5)
 
 @dataclass(frozen=True)
 class Fibrous(Solid):
-    """Neo-Hookean matrix with fibres along edges of the elements, which bear tension alone.
+    """Neo-Hookean matrix with fibres along edges of the elements, which bear tension alone."""
 
-    Attributes
-    ----------
-    fibres : mapping
-        Young's modulus that straight fibres add along an edge, MPa.
-    """
-
+    # Young's modulus that straight fibres add along an edge, MPa.
     fibres: Mapping[tuple[int, int], float] = field(default_factory=dict)
 
     def write(self, parent: Element, tag: str = "solid") -> Element:
@@ -71,30 +66,16 @@ class Fibrous(Solid):
 
 @dataclass(frozen=True)
 class Tissues:
-    """What cartilage and menisci are, and what follows from it for a model.
+    """What cartilage and menisci are, and what follows from it for a model."""
 
-    Attributes
-    ----------
-    module : str
-        Of FEBio.
-    cartilage, meniscus : Elastic or Mixture
-    theirs : InterfaceType
-        FEBio's contact between them.
-    about : str
-        The tissues in a sentence.
-    conditions : tuple of Condition
-        At the start, and where synovial fluid wets them outside of contact surfaces.
-    ambient : tuple of Param
-        The same fluid at open nodes of contacts.
-    """
-
-    module: str
+    module: str  # of FEBio
     cartilage: Elastic | Mixture
     meniscus: Elastic | Mixture
-    theirs: InterfaceType
-    about: str
+    theirs: InterfaceType  # FEBio's contact between them
+    about: str  # the tissues in a sentence
+    # At the start, and where synovial fluid wets them outside of contact surfaces.
     conditions: tuple[Condition, ...] = ()
-    ambient: tuple[Param, ...] = ()
+    ambient: tuple[Param, ...] = ()  # the same fluid at open nodes of contacts
 
     @property
     def porous(self) -> bool:

@@ -33,29 +33,15 @@ scripts/harness/models/knee."""
 
 @dataclass(frozen=True)
 class Knee:
-    """Choices of the knee.
-
-    Attributes
-    ----------
-    contact : InterfaceType
-    size : Size
-    load : Load
-    friction : float
-        Coefficient mu_eq in all contacts.
-    settings : ContactSettings, optional
-        Of all contacts; `settings_of` without it.
-    name : str
-    bodies : Bodies
-        Kind of cartilage and menisci.
-    """
+    """Choices of the knee."""
 
     contact: InterfaceType = InterfaceType.MIXTURE
     size: Size = Size.SMALL
     load: Load = Load.STANCE
-    friction: float = 0.0
-    settings: ContactSettings | None = None
+    friction: float = 0.0  # coefficient mu_eq in all contacts
+    settings: ContactSettings | None = None  # of all contacts; `settings_of` without it
     name: str = "knee"
-    bodies: Bodies = Bodies.ELASTIC
+    bodies: Bodies = Bodies.ELASTIC  # kind of cartilage and menisci
 
     def model(self) -> Model:
         """The model of these choices."""

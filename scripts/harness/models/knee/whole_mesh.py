@@ -59,23 +59,12 @@ POROUS, BATH = "porous", "bath"
 
 @dataclass(frozen=True)
 class Meshed:
-    """A knee without materials and loads.
-
-    Attributes
-    ----------
-    mesh : Mesh
-    horns : tuple of Springs
-        Of the menisci.
-    stands : tuple of Springs
-        Between femur and tibia, one in each compartment.
-    axis : float
-        Height of the axis of flexion, mm.
-    """
+    """A knee without materials and loads."""
 
     mesh: Mesh
-    horns: tuple[Springs, ...]
-    stands: tuple[Springs, ...]
-    axis: float
+    horns: tuple[Springs, ...]  # of the menisci
+    stands: tuple[Springs, ...]  # between femur and tibia, one in each compartment
+    axis: float  # height of the axis of flexion, mm
 
 
 def meshed(size: Size, *, porous: bool = False) -> Meshed:

@@ -67,10 +67,7 @@ class _Place:
 def one_mesh(model: Path, section: Element) -> None:
     """Puts the nodes, elements and sets of each instance in the place of the instance.
 
-    Raises
-    ------
-    ModelError
-        A part, surface or rotation that does not exist; numbers that are none.
+    Raises ModelError: a part, surface or rotation that does not exist; numbers that are none.
     """
     tags = [*children(section)]
     if not any(tag.tag in ("Part", "Instance") for tag in tags):

@@ -14,10 +14,7 @@ _REWRITTEN = {"2.5": form_25.rewritten, "3.0": form_30.rewritten}
 def read(path: Path, instead: Contents = AS_THEY_ARE) -> Document:
     """Read a model file and what it includes; what `instead` has is read in place of files.
 
-    Raises
-    ------
-    ModelError
-        As `xml_file.read`; what cannot be read in an older format.
+    Raises ModelError: as `xml_file.read`; what cannot be read in an older format.
     """
     document = xml_file.read(path, instead)
     rewritten = _REWRITTEN.get(document.version)

@@ -21,18 +21,10 @@ LEAST_FACETS = 3.0
 
 @dataclass(frozen=True)
 class Bond:
-    """The law of a bond in one mode.
+    """The law of a bond in one mode."""
 
-    Attributes
-    ----------
-    strength : float
-        MPa.
-    energy : float
-        N/mm.
-    """
-
-    strength: float
-    energy: float
+    strength: float  # MPa
+    energy: float  # N/mm
 
     @property
     def least_penalty(self) -> float:
