@@ -1,7 +1,5 @@
 """Names that a command is given, of those that it knows."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 
 import typer

@@ -1,7 +1,5 @@
 """What everybody can do who has the harness, with or without the repository; and what is said where a command fails."""
 
-from __future__ import annotations
-
 import ast
 import sys
 import tempfile

@@ -14,14 +14,14 @@ also for finite eps (the boundary terms of the jump cancel), so A = INT K X / IN
 of Heat and Mass Diffusion.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
+
+from harness.arrays import Array
 
 _NEGLIGIBLE = 45.0
 """Exponent beyond which a term is below 3e-20."""
@@ -55,27 +55,14 @@ class Layer:
         return rate * self.thickness / float(np.sqrt(self.diffusivity))
 
 
-def concentration(
-    z: ArrayLike, t: float, first: Layer, second: Layer, conductance: float = np.inf
-) -> NDArray[np.float64]:
+def concentration(z: ArrayLike, t: float, first: Layer, second: Layer, conductance: float = np.inf) -> Array:
     """Effective concentration c~/c* at a time, in two layers that were empty at t = 0, with c* at z = 0.
 
-    Parameters
-    ----------
-    z : array_like
-        Distance from the ambient face, mm; at z = L1 itself the value of the first layer.
-    t : float
-        Time, s, positive.
-    first, second : Layer
-        The layer at the ambient face, and the one behind it, whose far face is impermeable.
-    conductance : float
-        eps_c of the interface, mm/s.
-
-    Returns
-    -------
-    ndarray
-        c~/c* in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
-
+    z: distance from the ambient face, mm; at z = L1 itself the value of the first layer.
+    t: time, s, positive.
+    first, second: the layer at the ambient face, and the one behind it, whose far face is impermeable.
+    conductance: eps_c of the interface, mm/s.
+    Returns: c~/c* in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
     Raises ValueError: for a time or conductance that is not positive, or a position outside the layers.
     """
     position = np.asarray(z, dtype=float)

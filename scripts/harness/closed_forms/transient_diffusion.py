@@ -5,33 +5,22 @@ Source: Ateshian, Maas, Weiss (2012), J Biomech 45(6):1023-1027, section 3.1. De
 mu_n = (n - 1/2) pi, and 1 = SUM a_n cos(mu_n xi) gives a_n = 2 sin(mu_n)/mu_n = -(4/pi) (-1)^n/(2n - 1).
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from harness.arrays import Array
 
 _NEGLIGIBLE = 45.0
 """Exponent beyond which a term is below 3e-20."""
 _MOST_TERMS = 20_000
 
 
-def concentration(
-    z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: float, ambient: float = 1.0
-) -> NDArray[np.float64]:
+def concentration(z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: float, ambient: float = 1.0) -> Array:
     """Concentration in a slab -h/2 <= z <= h/2 that was empty at t = 0.
 
-    Parameters
-    ----------
-    z, t : array_like
-        Position (mm) and time (s, > 0); broadcast against each other.
-    height, diffusivity, ambient : float
-        h (mm), d (mm^2/s), and the ambient concentration c* (mM) at z = -h/2.
-
-    Returns
-    -------
-    ndarray
-        c, mM, in the broadcast shape.
-
+    z, t: position (mm) and time (s, > 0); broadcast against each other.
+    height, diffusivity, ambient: h (mm), d (mm^2/s), and the ambient concentration c* (mM) at z = -h/2.
+    Returns: c, mM, in the broadcast shape.
     Raises ValueError: for a time that is not positive, a position outside, or data that are not positive.
     """
     position, time = np.broadcast_arrays(np.asarray(z, dtype=float), np.asarray(t, dtype=float))

@@ -1,7 +1,5 @@
 """The command that writes the collection in models/, or a knee."""
 
-from __future__ import annotations
-
 from enum import Enum
 from pathlib import Path
 from typing import Annotated

@@ -1,7 +1,5 @@
 """The files in models/, which a wheel has beside this module."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from harness.paths import REPOSITORY, is_checkout

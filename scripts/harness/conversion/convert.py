@@ -1,7 +1,5 @@
 """Puts refusals, changes and edits together."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What becomes of each parameter of FEBio's sliding interfaces, and why: the table of docs/reference/from-febio.md."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum

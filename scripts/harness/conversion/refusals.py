@@ -1,7 +1,5 @@
 """What a switch to `sliding-mixture` would change in the physics, so that it is not made."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from harness.preflight.contact_types import CONVERTIBLE

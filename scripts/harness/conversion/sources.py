@@ -1,7 +1,5 @@
 """The files of a model in bytes, with its sections in the order in which FEBio reads them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path

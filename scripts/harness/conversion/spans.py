@@ -1,7 +1,5 @@
 """Changes to the bytes of an XML file that leave all others alone."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass

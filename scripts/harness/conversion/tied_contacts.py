@@ -1,7 +1,5 @@
 """What becomes of FEBio's tied contacts: `tied-mixture`."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

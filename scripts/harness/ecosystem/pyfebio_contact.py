@@ -5,8 +5,6 @@
 >>> model.contact_.add_contact(SlidingMixture(surface_pair="joint", fric_coeff=0.02))
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, TypeAlias
 
 from pydantic import BeforeValidator

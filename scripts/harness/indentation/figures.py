@@ -1,7 +1,5 @@
 """Draws figure 3.4 of Ateshian, Maas and Weiss (2012), and what problem 3.3 is judged by over time."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

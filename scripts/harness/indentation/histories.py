@@ -1,13 +1,10 @@
 """What problem 3.3 is judged by, over time: force, width of contact, contents, outflow, extremes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Mask
 from harness.models.document import Model
 from harness.post import contact_line, solute_balance
 from harness.post.solute_balance import State
@@ -75,6 +72,6 @@ def _outflow(model: Model, states: list[State], times: Array) -> Array:
     return np.cumsum(left)
 
 
-def is_open(state: State) -> NDArray[np.bool_]:
+def is_open(state: State) -> Mask:
     """Nodes at the ambient p~ = 0 and c~ = 0, to the last digit."""
     return np.asarray((state.pressure == 0.0) & (state.concentration == 0.0))

@@ -1,7 +1,5 @@
 """What can be said of problem 3.3 without a closed form, as numbers with tolerances."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from harness.arrays import Ids

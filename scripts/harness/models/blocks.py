@@ -1,18 +1,15 @@
 """Meshes put together from mapped blocks: merging, boundary facets."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids, Mask
 from harness.models.mesh import Nodes
 
-Points = NDArray[np.float64]
+Points = Array
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners (from 0) of the faces of a hex8 in FEBio's order, counterclockwise seen from outside."""
@@ -33,10 +30,7 @@ class Body:
 def structured(points: Points) -> Body:
     """One block.
 
-    Parameters
-    ----------
-    points : ndarray, shape (n_i + 1, n_j + 1, n_k + 1, 3)
-        Its nodes, mm; a left-handed block is turned over.
+    points: shape (n_i + 1, n_j + 1, n_k + 1, 3), its nodes, mm; a left-handed block is turned over.
     """
     if _is_left_handed(points):
         points = points[:, :, ::-1]
@@ -78,7 +72,7 @@ def boundary(body: Body) -> Ids:
     return np.asarray(facets[np.sort(index[count == 1])], dtype=np.int64)
 
 
-def facets_where(body: Body, inside: Callable[[Points], NDArray[np.bool_]]) -> Ids:
+def facets_where(body: Body, inside: Callable[[Points], Mask]) -> Ids:
     """Outer facets whose nodes all satisfy `inside`, a function of positions of shape (..., 3)."""
     facets = boundary(body)
     return np.asarray(facets[np.all(inside(body.nodes[facets]), axis=1)], dtype=np.int64)

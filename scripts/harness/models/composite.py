@@ -1,7 +1,5 @@
 """A composite slab: diffusion from one face through two layers of different material, solubility included."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

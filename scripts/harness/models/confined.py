@@ -1,7 +1,5 @@
 """Confined creep of a biphasic layer that is split in two across the direction of flow."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

@@ -1,7 +1,5 @@
 """Problem 3.2: steady convection and diffusion through two cubes in contact."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

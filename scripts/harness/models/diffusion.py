@@ -1,7 +1,5 @@
 """Problem 3.1: a solute diffuses through two cubes in contact, from one face to an impermeable other one."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.models.layered import Layered

@@ -1,7 +1,5 @@
 """A whole model, its .feb text, and where its node data go."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Problem 3.3: a semi-cylinder is driven into a slab, and solute leaves the slab into it and into the surroundings."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model

@@ -56,12 +56,7 @@ class InterfaceType(str, Enum):
 
 @dataclass(frozen=True)
 class ContactSettings:
-    """Parameters of an interface under FEBio's own names; what is None is not written and keeps its default.
-
-    Attributes
-    ----------
-    ambient_pressure, ambient_concentration : Param or float
-    """
+    """Parameters of an interface under FEBio's own names; what is None is not written and keeps its default."""
 
     laugon: str | None = None  # ``PENALTY``, ``AUGLAG`` or ``LAGMULT``
     # eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
@@ -147,14 +142,9 @@ permeability in mm^4/(N s) and diffusivity in mm^2/s. The gas constant is R = 8.
 def header(name: str, about: str, interface: InterfaceType) -> str:
     """What the model shows, its units, and the command that runs it.
 
-    Parameters
-    ----------
-    name : str
-        Stem of the file.
-    about : str
-        What it shows, one or more paragraphs.
-    interface : InterfaceType
-        Decides whether the command loads the plugin.
+    name: stem of the file.
+    about: what it shows, one or more paragraphs.
+    interface: decides whether the command loads the plugin.
     """
     load = " -import build/lib/libFEBioMixtureContact.so" if interface.needs_plugin else ""
     run = f"Commands: scripts/mixcontact run models/{name}.feb\nor        febio4 -i models/{name}.feb{load}"

@@ -1,7 +1,5 @@
 """What the models of two layers in contact, one above the other, have in common."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar

@@ -1,7 +1,5 @@
 """Steady convection and diffusion through two layers of different material."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

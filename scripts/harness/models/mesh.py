@@ -1,19 +1,15 @@
 """Structured hexahedral columns, split into bodies or in one piece, with the sets that a model refers to."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids
 from harness.errors import ModelError
 
-Axis = NDArray[np.float64]
-Nodes = NDArray[np.float64]
+Nodes = Array
 
 
 @dataclass(frozen=True)
@@ -80,7 +76,7 @@ class _Block:
     top_facets: Ids
 
 
-def _block(x: Axis, y: Axis, z: Axis) -> _Block:
+def _block(x: Array, y: Array, z: Array) -> _Block:
     """One box of hex8 over the given lines of nodes (mm), nodes numbered from 1, x fastest."""
     zz, yy, xx = np.meshgrid(z, y, x, indexing="ij")
     nodes = np.column_stack([xx.ravel(), yy.ravel(), zz.ravel()])
@@ -95,7 +91,7 @@ def _block(x: Axis, y: Axis, z: Axis) -> _Block:
     return _Block(nodes, elements, number[0].ravel(), number[-1].ravel(), downward, upward)
 
 
-def _line(start: float, length: float, elements: int, name: str) -> Axis:
+def _line(start: float, length: float, elements: int, name: str) -> Array:
     if elements < 1 or length <= 0.0:
         raise ModelError(f"'{name}' needs a size above 0 and at least one element, got {length} mm and {elements}")
     return np.linspace(start, start + length, elements + 1)
@@ -104,17 +100,9 @@ def _line(start: float, length: float, elements: int, name: str) -> Axis:
 def assemble(boxes: Sequence[Box]) -> Mesh:
     """Put bodies together that share no nodes.
 
-    Parameters
-    ----------
-    boxes : sequence of Box
-        Numbered in this order.
-
-    Returns
-    -------
-    Mesh
-        Node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names, their
-        facets ordered with x fastest; no pairs.
-
+    boxes: numbered in this order.
+    Returns: node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names,
+        their facets ordered with x fastest; no pairs.
     Raises ModelError: for a box without size or elements.
     """
     nodes: list[Nodes] = []
@@ -138,23 +126,12 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
 def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0) -> Mesh:
     """Stack layers along z as separate bodies, with a contact pair between each two neighbours.
 
-    Parameters
-    ----------
-    layers : sequence of Layer
-        From below to above.
-    bottom : float
-        Height of the lowest face, mm.
-    section : Section, optional
-        Cross-section; one element of 1 mm x 1 mm by default.
-    gap : float
-        Distance between neighbours, mm; negative where they are to overlap.
-
-    Returns
-    -------
-    Mesh
-        Node sets ``all``, ``bottom``, ``top``, and for each layer ``<name>-bottom`` and ``<name>-top``; surfaces of
-        the same names; pairs ``<lower>/<upper>`` whose primary surface is the top of the lower layer.
-
+    layers: from below to above.
+    bottom: height of the lowest face, mm.
+    section: cross-section; one element of 1 mm x 1 mm by default.
+    gap: distance between neighbours, mm; negative where they are to overlap.
+    Returns: node sets ``all``, ``bottom``, ``top``, and for each layer ``<name>-bottom`` and ``<name>-top``; surfaces
+        of the same names; pairs ``<lower>/<upper>`` whose primary surface is the top of the lower layer.
     Raises ModelError: for a layer without thickness or elements.
     """
     section = section or Section()

@@ -1,7 +1,5 @@
 """The pieces a model is put together from: materials, conditions, contact, control. Each writes its own XML."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, TypeAlias

@@ -1,7 +1,5 @@
 """Linear springs between nodes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.arrays import Ids

@@ -1,7 +1,5 @@
 """Numbers that say how far two solutions are apart, and whether that is near enough."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass

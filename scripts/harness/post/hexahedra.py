@@ -5,8 +5,6 @@ and take a mesh of their own: the translation would be as long as the two functi
 the same nodes and points as FEBio's.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
@@ -99,12 +97,8 @@ class Geometry:
 def geometry(positions: Array, elements: Ids) -> Geometry:
     """Elements at given positions of their nodes.
 
-    Parameters
-    ----------
-    positions : ndarray, shape (n_nodes, 3)
-        mm.
-    elements : ndarray of int, shape (n_elements, 8 or 20)
-        Node numbers from 0.
+    positions: shape (n_nodes, 3), mm.
+    elements: shape (n_elements, 8 or 20), node numbers from 0.
     """
     used = rule(elements.shape[1])
     jacobian = np.einsum("eai,qaj->eqij", positions[elements], used.slopes)

@@ -1,7 +1,5 @@
 """Draws a plane section of deformed bodies, coloured by a nodal field."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,12 +42,8 @@ class Section:
 def draw_bodies(axes: Axes, mesh: Mesh, section: Section, positions: Array, values: Array) -> TriMesh | None:
     """Draw the parts of a mesh with the edges of their elements; nothing is coloured where there are no values.
 
-    Parameters
-    ----------
-    positions : ndarray, shape (n_nodes, 3)
-        Deformed, mm.
-    values : ndarray, shape (n_nodes,)
-        From 0 to 1; a part without finite values is grey.
+    positions: shape (n_nodes, 3), deformed, mm.
+    values: shape (n_nodes,), from 0 to 1; a part without finite values is grey.
     """
     drawn = None
     for part in mesh.parts:

@@ -1,7 +1,5 @@
 """Asks every rule about every contact of a model."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence

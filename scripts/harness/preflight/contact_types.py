@@ -1,7 +1,5 @@
 """The contact types that `check` and `convert` know, and the parameters that each of them has in FEBio 4.11."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.preflight.plugin_types import PLUGIN_TYPES

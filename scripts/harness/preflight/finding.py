@@ -1,7 +1,5 @@
 """What `check` has to say: where, how bad, and what to do."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum
 

@@ -1,15 +1,12 @@
 """Pressures and concentrations that a model starts from and prescribes, and where it does so in a contact."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Ids
 from harness.preflight.model import Condition, Contact, Model
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element, children, text
@@ -21,7 +18,7 @@ class Level:
 
     tag: Element  # of the value
     history: Array  # shape (n, 2): time and value; empty where it is a formula
-    nodes: NDArray[np.int64] | None  # where it is; None for the ambient values of a contact
+    nodes: Ids | None  # where it is; None for the ambient values of a contact
 
     @property
     def first(self) -> float:

@@ -1,7 +1,5 @@
 """Material properties of a model file in the undeformed state, as far as they are numbers there."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -59,10 +57,7 @@ class Material:
 def read(document: Document, solutes: Mapping[str, int]) -> dict[str, Material]:
     """The materials, by their names.
 
-    Parameters
-    ----------
-    solutes : mapping of str to int
-        Numbers of the model's solutes, by number and name as in the file.
+    solutes: numbers of the model's solutes, by number and name as in the file.
     """
     return {attribute(tag, "name"): _material(tag, solutes) for tag in document.all("Material", "material")}
 

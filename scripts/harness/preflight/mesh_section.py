@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids, Mask
 from harness.errors import ModelError
 from harness.preflight import elements
-from harness.preflight.elements import Points
 from harness.preflight.xml_file import (
     Document,
     Element,
@@ -74,7 +72,7 @@ class Pair:
 class Mesh:
     """All of it."""
 
-    points: Points  # shape (n_nodes, 3)
+    points: Array  # shape (n_nodes, 3)
     blocks: tuple[Block, ...]
     # What FEBio makes node sets from is here too, as ``@surface:name``, ``@edge:``, ``@elem_set:``, ``@part_list:``.
     node_sets: dict[str, Ids]
@@ -107,10 +105,10 @@ class Faces:
     corners: Ids  # shape (n_faces, 4): counter-clockwise seen from outside their element
     element: Ids  # shape (n_faces,): number of their element, counted through all volume blocks
     key: Ids  # shape (n_faces,): equal for faces of the same nodes
-    volume: NDArray[np.float64]  # shape (n_elements,)
+    volume: Array  # shape (n_elements,)
     block: Ids  # shape (n_elements,): place of each element's block among the mesh's blocks
 
-    def outer(self, chosen: NDArray[np.bool_]) -> Ids:
+    def outer(self, chosen: Mask) -> Ids:
         """Places of the faces that have a chosen element, shape (n_elements,), on one side alone."""
         own = np.flatnonzero(chosen[self.element])
         count = np.bincount(self.key[own], minlength=int(self.key.max(initial=0)) + 1)
@@ -229,9 +227,9 @@ def _sets_of_elements(document: Document, blocks: tuple[Block, ...]) -> dict[str
     return found
 
 
-def _read_nodes(document: Document) -> tuple[Points, _Numbering, dict[str, Ids]]:
+def _read_nodes(document: Document) -> tuple[Array, _Numbering, dict[str, Ids]]:
     ids: list[int] = []
-    points: list[Points] = []
+    points: list[Array] = []
     sets: dict[str, Ids] = {}
     for section in document.all("Mesh", "Nodes"):
         first = len(ids)

@@ -1,7 +1,5 @@
 """A model file as `check` sees it: mesh, materials, contacts, steps, conditions."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -9,8 +7,8 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.errors import ModelError
 from harness.preflight import materials, mesh_section
 from harness.preflight import xml_file as documents
@@ -188,7 +186,7 @@ class Model:
             yield Condition(str(found.get("type")), step, found)
 
     @cached_property
-    def curves(self) -> Mapping[str, NDArray[np.float64]]:
+    def curves(self) -> Mapping[str, Array]:
         """Points (time, value) of the load curves, by their ids; other controllers have no points."""
         found = {}
         for tag in self.document.all("LoadData", "load_controller"):
@@ -196,7 +194,7 @@ class Model:
             found[attribute(tag, "id")] = np.array(points).reshape(-1, 2)
         return found
 
-    def history(self, tag: Element) -> NDArray[np.float64]:
+    def history(self, tag: Element) -> Array:
         """Points (time, value) of a parameter; one point without a load curve, none where the value is a formula."""
         try:
             value = float(text(tag))
@@ -211,7 +209,7 @@ class Model:
             raise ModelError(f"{place(tag)}: refers to load controller {shortened(curve)}; there is {known}")
         return points * (1.0, value)
 
-    def nodes(self, condition: Condition) -> NDArray[np.int64]:
+    def nodes(self, condition: Condition) -> Ids:
         """Places of the nodes of a condition. Raises ModelError where the set does not exist."""
         name = attribute(condition.tag, "node_set")
         found = self.mesh.node_sets.get(name)

@@ -1,13 +1,9 @@
 """The penalty that a contact will have for a field, and what it lets through."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from harness.arrays import Array
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.preflight.sides import TRACTION, Field, Joint
 from harness.preflight.xml_file import Element
@@ -76,11 +72,11 @@ def penalty_for(joint: Joint, field: Field, wanted: float) -> float:
     return (1.0 / wanted - 1.0) / resistance
 
 
-def _mean(values: NDArray[np.float64]) -> float:
+def _mean(values: Array) -> float:
     return float(values.mean()) if len(values) else math.nan
 
 
-def harmonic_mean(values: NDArray[np.float64]) -> float:
+def harmonic_mean(values: Array) -> float:
     """Of the positive values; infinite ones are no resistance. NaN without any."""
     positive = values[values > 0.0]
     if not len(positive):

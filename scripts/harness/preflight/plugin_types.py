@@ -3,8 +3,6 @@
 `mixture-contact --contact-types` prints that file.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -5,14 +5,12 @@ that face the ray, and a little beyond their edges; libraries return what lies i
 are fast.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Points = NDArray[np.float64]
+from harness.arrays import Array, Ids
+
 CHUNK = 2_000_000
 """Pairs of ray and triangle that are looked at together."""
 OUTSIDE = 0.01
@@ -28,40 +26,33 @@ class Hits:
     """What each ray meets."""
 
     # shape (n_rays,): along the ray, negative behind its origin; NaN where it meets nothing.
-    distance: NDArray[np.float64]
-    triangle: NDArray[np.int64]  # shape (n_rays,): -1 where it meets nothing
+    distance: Array
+    triangle: Ids  # shape (n_rays,): -1 where it meets nothing
 
 
-def triangles(corners: Points) -> Points:
+def triangles(corners: Array) -> Array:
     """Two triangles for each face, shape (2 n, 3, 3), from corners (n, 4, 3); of a triangle the second has no area."""
     return np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
 
 
-def nearest_facing(
-    origins: Points, directions: Points, targets: Points, depth: NDArray[np.float64] | None = None
-) -> Hits:
+def nearest_facing(origins: Array, directions: Array, targets: Array, depth: Array | None = None) -> Hits:
     """Nearest triangle, in front or behind, that faces each ray: its normal points against the ray.
 
-    Parameters
-    ----------
-    origins, directions : ndarray, shape (n_rays, 3)
-        Directions of length one.
-    targets : ndarray, shape (n_triangles, 3, 3)
-    depth : ndarray, shape (n_rays,)
-        Where the rays leave their own body behind their origins, beyond which they see nothing; NaN: nowhere.
+    origins, directions: shape (n_rays, 3), directions of length one.
+    targets: shape (n_triangles, 3, 3).
+    depth: shape (n_rays,), where the rays leave their own body behind their origins, beyond which they see nothing;
+        NaN: nowhere.
     """
     least = None if depth is None else -np.where(np.isnan(depth), np.inf, depth)
     return _nearest(origins, directions, targets, facing=True, least=least)
 
 
-def first_exit(origins: Points, directions: Points, targets: Points, least: NDArray[np.float64]) -> Hits:
+def first_exit(origins: Array, directions: Array, targets: Array, least: Array) -> Hits:
     """First triangle beyond the distance `least` whose normal points along the ray: where it leaves a body."""
     return _nearest(origins, directions, targets, facing=False, least=least)
 
 
-def _nearest(
-    origins: Points, directions: Points, targets: Points, *, facing: bool, least: NDArray[np.float64] | None = None
-) -> Hits:
+def _nearest(origins: Array, directions: Array, targets: Array, *, facing: bool, least: Array | None = None) -> Hits:
     count = len(origins)
     distance, triangle = np.full(count, np.nan), np.full(count, -1, dtype=np.int64)
     size = max(1, CHUNK // max(1, len(targets)))
@@ -79,7 +70,7 @@ def _nearest(
     return Hits(distance, triangle)
 
 
-def _distances(origins: Points, directions: Points, targets: Points, facing: bool) -> NDArray[np.float64]:
+def _distances(origins: Array, directions: Array, targets: Array, facing: bool) -> Array:
     """Signed distance of each ray to each triangle (n_rays, n_triangles), NaN where it misses; Moeller and Trumbore
     (1997), J Graph Tools 2(1):21-28.
     """

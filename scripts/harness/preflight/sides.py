@@ -8,9 +8,8 @@ from functools import cached_property
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array, Ids
+from harness.arrays import Array, Ids, Mask
 from harness.preflight import elements, rays
 from harness.preflight.contact_types import UNLIMITED_SEARCH
 from harness.preflight.materials import Material
@@ -79,12 +78,12 @@ class Side:
         return np.array([found[0] if len(found) else -1 for found in self.behind], dtype=np.int64)
 
     @cached_property
-    def found(self) -> NDArray[np.bool_]:
+    def found(self) -> Mask:
         """Facets with a volume element behind them."""
         return self.face >= 0
 
     @cached_property
-    def inverted(self) -> NDArray[np.bool_]:
+    def inverted(self) -> Mask:
         """Facets whose nodes run clockwise seen from outside their element; not those inside a body."""
         faces = self.model.mesh.faces
         alone = np.array([len(found) == 1 for found in self.behind], dtype=bool)
@@ -167,7 +166,7 @@ class Side:
         """Depth of the deformable part of the body behind the surface, mm."""
         return self._depth(self._elements_with(TRACTION))
 
-    def _elements_with(self, field: Field) -> NDArray[np.bool_]:
+    def _elements_with(self, field: Field) -> Mask:
         """Volume elements of the surface's bodies whose property is neither zero nor infinite, shape (n_elements,)."""
         faces, bodies = self.model.mesh.faces, self.model.mesh.bodies
         chosen = [k for k, m in enumerate(self.model.block_materials) if m is None or _limited(field.property_of(m))]
@@ -175,7 +174,7 @@ class Side:
         own[faces.element] = np.isin(bodies[faces.corners[:, 0]], list(self.bodies))
         return np.asarray(own & np.isin(faces.block, chosen))
 
-    def _depth(self, own: NDArray[np.bool_]) -> float:
+    def _depth(self, own: Mask) -> float:
         """Median depth of these elements along the inward normal; their thickness where no ray leaves them."""
         faces = self.model.mesh.faces
         targets = rays.triangles(self.model.mesh.points[faces.corners[faces.outer(own)]])
@@ -186,7 +185,7 @@ class Side:
         known = hits.distance[np.isfinite(hits.distance)]
         return float(np.median(known)) if len(known) else float(np.nanmedian(self.thickness))
 
-    def _mean_resistivity(self, field: Field, own: NDArray[np.bool_]) -> float:
+    def _mean_resistivity(self, field: Field, own: Mask) -> float:
         """Mean of 1/G over the volume of these elements."""
         faces, known = self.model.mesh.faces, self.model.block_materials
         values = np.array([math.nan if material is None else field.property_of(material) for material in known])

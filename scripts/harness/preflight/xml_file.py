@@ -1,7 +1,5 @@
 """A model file with the files that it includes, as FEBio reads them; numbers in it; places in it."""
 
-from __future__ import annotations
-
 import codecs
 import itertools
 import math
@@ -14,8 +12,8 @@ from typing import TypeAlias, cast
 
 import numpy as np
 from lxml import etree
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.errors import ModelError
 from harness.preflight import byte_spans
 from harness.preflight.byte_spans import Place
@@ -263,7 +261,7 @@ def chosen(value: str, words: Sequence[str]) -> int | None:
     return int(value) if value.isdecimal() and int(value) < len(words) else None
 
 
-def floats(element: Element, size: int) -> NDArray[np.float64]:
+def floats(element: Element, size: int) -> Array:
     """So many finite numbers, separated by commas. Raises ModelError."""
     parts = text(element).split(",")
     try:

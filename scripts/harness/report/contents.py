@@ -1,7 +1,5 @@
 """Makes the page of a run from its model file, its log and its plot file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

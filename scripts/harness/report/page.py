@@ -1,7 +1,5 @@
 """Writes the page of a run: one HTML file that holds its pictures and needs no network."""
 
-from __future__ import annotations
-
 import base64
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Reads FEBio's plot file (.xplt) with pyfebio's reader, into memory."""
 
-from __future__ import annotations
-
 import struct
 from collections import defaultdict
 from collections.abc import Iterator
@@ -13,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pyfebio import xplt
 
+from harness.arrays import Array, Ids
 from harness.errors import DataFileError
-from harness.report.surface import Integers, Surface, in_order_of_appearance
+from harness.report.surface import Surface, in_order_of_appearance
 
-Floats = NDArray[np.float64]
 _COMPRESSION = "PLT_HDR_COMPRESSION"
 _TAGS = {tag.name: number for number, tag in xplt.TAG_LUT.items()}
 _SURFACES, _DOMAINS = "meshes/0/surfaces/", "meshes/0/domains/"
@@ -27,12 +25,12 @@ class State:
     """Results at one time."""
 
     time: float  # s
-    nodal: dict[str, Floats]  # per variable an array of shape (nodes, components)
+    nodal: dict[str, Array]  # per variable an array of shape (nodes, components)
     # Per variable a list with an array per surface, in the order of `PlotFile.surfaces`; None where FEBio wrote nothing
     # for a surface. Rows are facets, corners of facets, nodes of the surface, or one for the surface.
-    on_surfaces: dict[str, list[Floats | None]]
+    on_surfaces: dict[str, list[Array | None]]
     # Per variable an array of shape (nodes, components) where FEBio wrote values at nodes of domains; NaN elsewhere.
-    in_domains: dict[str, Floats]
+    in_domains: dict[str, Array]
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,19 +38,19 @@ class Domain:
     """Elements of one kind."""
 
     kind: int  # FEBio's number of the element's shape in a plot file
-    elements: Integers  # shape (elements, nodes of each): nodes, counted from 0 in the mesh
+    elements: Ids  # shape (elements, nodes of each): nodes, counted from 0 in the mesh
 
 
 @dataclass(frozen=True)
 class PlotFile:
     """Mesh and results of a run."""
 
-    nodes: Floats  # shape (nodes, 3): reference positions, mm
+    nodes: Array  # shape (nodes, 3): reference positions, mm
     surfaces: list[Surface]  # surfaces of the model file, in FEBio's order
     domains: dict[str, Domain]  # by name
     states: list[State]
 
-    def positions(self, state: State) -> Floats:
+    def positions(self, state: State) -> Array:
         """Deformed positions [mm], shape (nodes, 3); reference positions where the file has no displacement."""
         moved = state.nodal.get("displacement")
         return self.nodes if moved is None else self.nodes + moved
@@ -176,7 +174,7 @@ def _parse_blocks(buffer: bytes, memory: Any) -> None:
             states += 1
 
 
-def _coordinates(memory: _Memory) -> Floats:
+def _coordinates(memory: _Memory) -> Array:
     table = memory.data["meshes/0/nodes"]
     return np.column_stack([table[axis] for axis in "xyz"]).astype(float)
 
@@ -192,19 +190,19 @@ def _state(memory: _Memory, number: int, nodes: int, surfaces: list[Surface], do
     )
 
 
-def _surface_values(data: dict[str, NDArray[Any]], surfaces: list[Surface]) -> dict[str, list[Floats | None]]:
+def _surface_values(data: dict[str, NDArray[Any]], surfaces: list[Surface]) -> dict[str, list[Array | None]]:
     variables = dict.fromkeys(path.split("/", 1)[0] for path in data)
     return {
         variable: [_as_floats(data.get(f"{variable}/{surface.name}")) for surface in surfaces] for variable in variables
     }
 
 
-def _as_floats(values: NDArray[Any] | None) -> Floats | None:
+def _as_floats(values: NDArray[Any] | None) -> Array | None:
     return None if values is None else values.astype(float)
 
 
-def _domain_values(data: dict[str, NDArray[Any]], domains: dict[str, Domain], nodes: int) -> dict[str, Floats]:
-    found: dict[str, Floats] = {}
+def _domain_values(data: dict[str, NDArray[Any]], domains: dict[str, Domain], nodes: int) -> dict[str, Array]:
+    found: dict[str, Array] = {}
     for path, each in data.items():
         variable, domain = path.split("/", 1)
         members = in_order_of_appearance(domains[domain].elements.ravel())

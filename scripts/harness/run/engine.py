@@ -1,7 +1,5 @@
 """Finds febio4 and runs it, with the plugin where a model needs it."""
 
-from __future__ import annotations
-
 import math
 import os
 import re
@@ -123,15 +121,9 @@ def _plugin_beside(febio: Path) -> Path:
 def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()) -> list[str]:
     """The command line that runs a model file from its own folder.
 
-    Parameters
-    ----------
-    model : Path
-        The .feb file; FEBio's output is written next to it.
-    plugin : Path, optional
-        Library to load with ``-import``.
-    options : sequence of str
-        Further arguments of febio4, such as ``-dump``.
-
+    model: the .feb file; FEBio's output is written next to it.
+    plugin: library to load with ``-import``.
+    options: further arguments of febio4, such as ``-dump``.
     Raises EngineNotFoundError: no febio4.
     """
     load = [] if plugin is None else ["-import", str(plugin)]
@@ -163,15 +155,9 @@ def execute(
 ) -> Run:
     """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise.
 
-    Parameters
-    ----------
-    progress : callable, optional
-        Called with each time reached, s.
-    check : bool
-        Whether a run that does not end normally is an error.
-    timeout : float, optional
-        s after which the run is ended, and then did not end normally.
-
+    progress: called with each time reached, s.
+    check: whether a run that does not end normally is an error.
+    timeout: s after which the run is ended, and then did not end normally.
     Raises EngineFailedError: with `check`, where febio4 did not end normally; quotes FEBio's own words.
     """
     environment = {_THREADS: "1", **os.environ}

@@ -1,7 +1,5 @@
 """Looks into a .feb file that somebody wants to run, and says clearly what is wrong with it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

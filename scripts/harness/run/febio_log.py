@@ -1,7 +1,5 @@
 """Reads what febio4 prints: how far it came, how hard that was, and what it complained about."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -40,15 +38,8 @@ class Report:
 def parse(text: str) -> Report:
     """Read the log, or the screen output, of a run.
 
-    Parameters
-    ----------
-    text : str
-        The whole text.
-
-    Returns
-    -------
-    Report
-        Where there is no summary (a run that was killed, a model that was never read) the counts are those that
+    text: the whole text.
+    Returns: where there is no summary (a run that was killed, a model that was never read) the counts are those that
         can be counted, or 0.
     """
     boxes = _boxes(text)

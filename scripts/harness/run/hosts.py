@@ -1,7 +1,5 @@
 """Which engine runs the models: febio4 with the plugin, the embedded one, or both."""
 
-from __future__ import annotations
-
 from enum import Enum
 
 from harness.errors import EngineNotFoundError, PluginNotFoundError

@@ -1,16 +1,13 @@
 """Reads the node and element data that febio4 writes beside its log."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Ids
 from harness.errors import DataFileError
 
 
@@ -19,7 +16,7 @@ class History:
     """Node or element data over time."""
 
     times: Array  # shape (n_times,): s; the first is the initial state where febio4 wrote it
-    items: NDArray[np.int64]  # shape (n_items,): node or element numbers, from 1
+    items: Ids  # shape (n_items,): node or element numbers, from 1
     columns: tuple[str, ...]  # names of the data
     values: Array  # shape (n_times, n_items, n_columns): 12 significant digits, as febio4 writes them
 
@@ -48,7 +45,7 @@ class History:
         return index
 
 
-def at_the_end(history: History, columns: Iterable[str]) -> NDArray[np.float64]:
+def at_the_end(history: History, columns: Iterable[str]) -> Array:
     """The last values of some columns, shape (nodes or elements, columns)."""
     return np.stack([history[column][-1] for column in columns], axis=-1)
 
@@ -56,13 +53,8 @@ def at_the_end(history: History, columns: Iterable[str]) -> NDArray[np.float64]:
 def read_history(path: Path, columns: tuple[str, ...]) -> History:
     """Read a data file.
 
-    Parameters
-    ----------
-    path : Path
-        File named by a ``<node_data>`` or ``<element_data>`` line without ``format``.
-    columns : tuple of str
-        Names of its columns, the number of the node or element left out.
-
+    path: file named by a ``<node_data>`` or ``<element_data>`` line without ``format``.
+    columns: names of its columns, the number of the node or element left out.
     Raises DataFileError: a missing file, a file without data, or one whose blocks differ in size; names file and line.
     """
     try:

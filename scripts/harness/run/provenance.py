@@ -1,7 +1,5 @@
 """Which versions a number comes from."""
 
-from __future__ import annotations
-
 import importlib.metadata
 import re
 

@@ -4,8 +4,6 @@ Written here and not taken from joblib or diskcache, because those keep values o
 the folder that an engine wrote into; and a second process that wants the same run has to wait for it.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import math
@@ -81,13 +79,8 @@ class Runner:
     def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> RunResult:
         """Run a model, or read back what an earlier run left.
 
-        Parameters
-        ----------
-        options : sequence of str
-            Further arguments of febio4.
-        check : bool
-            Whether a run that does not end normally is an error.
-
+        options: further arguments of febio4.
+        check: whether a run that does not end normally is an error.
         Raises EngineNotFoundError, PluginNotFoundError, EngineFailedError: see `harness.run.engine`.
         """
         key = _key(model, self.host.binaries(needs_plugin(model)), options)

@@ -1,7 +1,5 @@
 """The embedded engine: mixture-contact, which runs models where FEBio is not installed."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -37,12 +35,8 @@ class Standalone:
     def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:  # noqa: ARG002
         """The command line that runs a model file from its own folder.
 
-        Raises
-        ------
-        EngineNotFoundError
-            No executable.
-        EngineFailedError
-            Options: those of febio4 mean nothing here.
+        Raises EngineNotFoundError: no executable.
+        Raises EngineFailedError: options: those of febio4 mean nothing here.
         """
         if options:
             raise EngineFailedError(f"the embedded engine does not know the options {' '.join(options)} of febio4")

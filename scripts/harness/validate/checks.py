@@ -3,15 +3,13 @@
 The tolerances marked "paper" in the notes are those of problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.closed_forms import (
     composite_slab,
     confined_compression,
@@ -91,7 +89,7 @@ def diffusion_against_closed_form(context: Context) -> list[Measure]:
     return measures
 
 
-def exact_diffusion(run: RunResult, time: float) -> NDArray[np.float64]:
+def exact_diffusion(run: RunResult, time: float) -> Array:
     """Closed form of 3.1 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return diffusion.AMBIENT * transient_diffusion.concentration(
@@ -114,7 +112,7 @@ def convection_against_closed_form(
     return measures
 
 
-def exact_convection(run: RunResult, peclet: float) -> NDArray[np.float64]:
+def exact_convection(run: RunResult, peclet: float) -> Array:
     """Closed form of 3.2 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
@@ -193,7 +191,7 @@ def convection_layers(context: Context) -> list[Measure]:
     ]
 
 
-def exact_layers(run: RunResult) -> NDArray[np.float64]:
+def exact_layers(run: RunResult) -> Array:
     """Closed form of the two-layer convection problem at the nodes of a run."""
     return two_layer_convection.concentration(run.model.mesh.nodes[:, 2], layers.FIRST, layers.SECOND, layers.GIVEN)
 
@@ -255,7 +253,7 @@ def _order(runs: Sequence[RunResult]) -> float:
     return compare.observed_order(coarse, fine)
 
 
-def _both_sides(run: RunResult, z: NDArray[np.float64]) -> NDArray[np.float64]:
+def _both_sides(run: RunResult, z: Array) -> Array:
     """Final c at the heights `z`, of the nodes of a split column, part by part so that both faces are kept."""
     mesh, final = run.model.mesh, run.nodes["c1"][-1]
     values = []

@@ -1,7 +1,5 @@
 """The commands `validate` and `plot`."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterator

@@ -1,15 +1,13 @@
 """Draws figures 3.2 and 3.3 of Ateshian, Maas and Weiss (2012): simulation over closed form."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.closed_forms import steady_convection, transient_diffusion
 from harness.models import convection, diffusion
 from harness.run.runner import RunResult
@@ -41,7 +39,7 @@ def convection_profiles(context: Context) -> list[Profile]:
     return found
 
 
-def _profile(figure: str, parameter: float, run: RunResult, c: NDArray[np.float64]) -> Profile:
+def _profile(figure: str, parameter: float, run: RunResult, c: Array) -> Profile:
     """The nodes of the edge x = y = 0, from below to above."""
     position = run.model.mesh.nodes
     edge = np.flatnonzero((position[:, 0] == 0.0) & (position[:, 1] == 0.0))
@@ -52,10 +50,7 @@ def _profile(figure: str, parameter: float, run: RunResult, c: NDArray[np.float6
 def draw(profiles: Sequence[Profile], folder: Path) -> list[Path]:
     """Draw both figures; the lines stand there even where no simulation was run.
 
-    Parameters
-    ----------
-    folder : Path
-        Where the PNG files go; made where needed.
+    folder: where the PNG files go; made where needed.
     """
     folder.mkdir(parents=True, exist_ok=True)
     return [_diffusion(_of(profiles, DIFFUSION), folder), _convection(_of(profiles, CONVECTION), folder)]
@@ -66,7 +61,7 @@ def _of(profiles: Sequence[Profile], figure: str) -> dict[float, Profile]:
 
 
 def _diffusion(profiles: dict[float, Profile], folder: Path) -> Path:
-    def exact(z: NDArray[np.float64], time: float) -> NDArray[np.float64]:
+    def exact(z: Array, time: float) -> Array:
         return transient_diffusion.concentration(z, time, height=diffusion.HEIGHT, diffusivity=diffusion.DIFFUSIVITY)
 
     figure, axes = _canvas("Diffusion through two cubes in contact", "$c/c^*$")
@@ -75,7 +70,7 @@ def _diffusion(profiles: dict[float, Profile], folder: Path) -> Path:
 
 
 def _convection(profiles: dict[float, Profile], folder: Path) -> Path:
-    def exact(z: NDArray[np.float64], peclet: float) -> NDArray[np.float64]:
+    def exact(z: Array, peclet: float) -> Array:
         return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
 
     figure, axes = _canvas("Steady convection through two cubes in contact", "$c/c_u$")
@@ -101,7 +96,7 @@ def _canvas(title: str, quantity: str) -> tuple[Figure, Axes]:
 def _curves(
     axes: Axes,
     parameters: Sequence[float],
-    exact: Callable[[NDArray[np.float64], float], NDArray[np.float64]],
+    exact: Callable[[Array, float], Array],
     profiles: dict[float, Profile],
     label: Callable[[float], str],
 ) -> None:

@@ -1,7 +1,5 @@
 """The outcome of a validation as data: what is written to results/ and what pictures are drawn from."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Sequence

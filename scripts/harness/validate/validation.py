@@ -1,7 +1,5 @@
 """The main job: make every check, keep what was found, leave out what cannot be done and say why."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -22,18 +20,10 @@ Finished = Callable[[Check], None]
 def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finished: Finished | None = None) -> Results:
     """Make the checks.
 
-    Parameters
-    ----------
-    jobs : int
-        Number of febio4 runs at a time.
-    finished : callable, optional
-        Called after each check.
-
-    Returns
-    -------
-    Results
-        A check whose engine or plugin is missing is left out with the reason; one whose run fails has a measure that
-        misses its tolerance and quotes FEBio.
+    jobs: number of febio4 runs at a time.
+    finished: called after each check.
+    Returns: a check whose engine or plugin is missing is left out with the reason; one whose run fails has a measure
+        that misses its tolerance and quotes FEBio.
     """
     results = Results(context.interface.value)
 

@@ -9,8 +9,6 @@ McDermott et al. (2004), Knee Surg Sports Traumatol Arthrosc 12:130, sizes of th
 The shapes are idealised: one circle per section, and both condyles have one axis of flexion.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -62,12 +60,8 @@ PLATEAU_WIDTH = 15.5
 def condyle(angle: Array, side: Array, depth: Array) -> Array:
     """Points of a condyle that touches its plateau, relative to that point, shape (..., 3).
 
-    Parameters
-    ----------
-    angle, side : ndarray
-        Around the axis of flexion, from the lowest point forwards, and along the coronal circle, rad.
-    depth : ndarray
-        Below the surface of the cartilage, mm.
+    angle, side: around the axis of flexion, from the lowest point forwards, and along the coronal circle, rad.
+    depth: below the surface of the cartilage, mm.
     """
     radius = SAGITTAL - CORONAL + (CORONAL - depth) * np.cos(side)
     x, y = (CORONAL - depth) * np.sin(side), radius * np.sin(angle)

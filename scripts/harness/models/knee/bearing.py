@@ -7,8 +7,6 @@ the largest force of level walking, the second of two peaks. The curves of gait 
 with that largest force, and bend the knee by up to 30 degrees, to which the condyles of the model reach.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from enum import Enum
 

@@ -1,7 +1,5 @@
 """Gaps between surfaces of bilinear quadrilaterals that face each other along z."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.spatial import cKDTree
 
@@ -20,10 +18,7 @@ _ITERATIONS = 4
 def smallest_gap(lower: Array, upper: Array) -> float:
     """Smallest distance along z between two surfaces, mm; negative where they overlap.
 
-    Parameters
-    ----------
-    lower, upper : ndarray, shape (n_facets, 4, 3)
-        Corners of the facets, of surfaces that are heights over x and y.
+    lower, upper: shape (n_facets, 4, 3), corners of the facets, of surfaces that are heights over x and y.
     """
     below, above = _points(lower), _points(upper)
     gaps = np.concatenate([_heights(upper, below) - below[:, 2], above[:, 2] - _heights(lower, above)])

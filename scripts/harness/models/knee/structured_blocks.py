@@ -1,7 +1,5 @@
 """Hexahedral meshes of the knee's bodies, each one structured block."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

@@ -14,8 +14,6 @@ compression, 0.18 MPa and 0.32; Sweigart et al. (2004), Ann Biomed Eng 32:1569, 
 Solute: glucose. Torzilli et al. (1998), J Biomed Mater Res 40:132, 6.1e-4 mm^2/s in cartilage; 9e-4 mm^2/s in water.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum

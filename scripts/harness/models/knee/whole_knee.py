@@ -1,7 +1,5 @@
 """The model of the knee: mesh, materials, load and contacts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 

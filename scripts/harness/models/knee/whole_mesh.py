@@ -1,7 +1,5 @@
 """The mesh of the knee: its parts, contact surfaces and pairs, and the springs of the menisci's horns."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum

@@ -1,7 +1,5 @@
 """Boundary and initial conditions that name unknowns, as conditions of one field each."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 

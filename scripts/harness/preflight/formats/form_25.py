@@ -1,7 +1,5 @@
 """Format 2.5, of FEBio 2."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Format 3.0, of FEBio 3."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from harness.preflight.formats import conditions

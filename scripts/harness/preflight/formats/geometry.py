@@ -1,7 +1,5 @@
 """The section <Geometry>, which has the materials of the elements beside them, and its sets, which list members."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """A mesh of parts and their instances as one mesh."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field

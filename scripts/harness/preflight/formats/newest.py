@@ -1,7 +1,5 @@
 """A model file of any format, in the form of the newest."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from harness.preflight import xml_file

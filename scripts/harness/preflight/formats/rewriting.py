@@ -1,7 +1,5 @@
 """Changes to the tags of a model that was read, which keep line and tag of its file for messages."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from lxml import etree

@@ -1,7 +1,5 @@
 """The rules of `check`: each looks at one contact of a model and says what it finds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 
 from harness.preflight.finding import Finding

@@ -1,7 +1,5 @@
 """Rules on ambient values: effective pressures against effective concentrations."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 import numpy as np

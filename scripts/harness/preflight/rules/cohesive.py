@@ -1,7 +1,5 @@
 """Rules on ties that soften as they open: the penalty of their bonds, and the zone in which these soften."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

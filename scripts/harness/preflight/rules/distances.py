@@ -1,7 +1,5 @@
 """Rules on gaps and overlaps at the start."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Rules on membranes: films between the surfaces that resist the solvent and solutes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from harness.preflight.finding import Finding, error, warning

@@ -1,7 +1,5 @@
 """Rules on penalties: what they let through, and whether they are too stiff."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Rules on the parameters of a contact, and on the solver and module around it."""
 
-from __future__ import annotations
-
 import difflib
 import math
 from collections.abc import Iterator

@@ -1,14 +1,12 @@
 """Rules on surfaces: which way they face, and what they belong to."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from harness.arrays import Ids, Mask
 from harness.preflight import rays
 from harness.preflight.finding import Finding, error, note, warning
 from harness.preflight.sides import Joint, Side, sample
@@ -215,7 +213,7 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
 # ---- geometry ----
 
 
-def _sees(side: Side, other: Side) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+def _sees(side: Side, other: Side) -> tuple[Ids, Mask]:
     """Some facets of a side, and which of them have a facet of the other side in front, or behind in overlap."""
     targets = rays.triangles(other.corners)
     pick = sample(len(side.centres), len(targets))
@@ -229,7 +227,7 @@ def _opposed(one: Side, two: Side) -> bool:
     return bool((first @ second.T < -OPPOSED).any())
 
 
-def _patches(side: Side) -> NDArray[np.int64]:
+def _patches(side: Side) -> Ids:
     """Number of the smooth patch that each facet belongs to: patches end at sharp convex edges."""
     one, two = _neighbours(side)
     flat = np.einsum("ei,ei->e", side.normals[one], side.normals[two]) > SHARP
@@ -241,7 +239,7 @@ def _patches(side: Side) -> NDArray[np.int64]:
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
 
 
-def _neighbours(side: Side) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _neighbours(side: Side) -> tuple[Ids, Ids]:
     """Pairs of facets that share an edge."""
     corners = side.surface.corners
     ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), axis=2)

@@ -1,7 +1,5 @@
 """Rules on ties: what would not be tied, and what is held twice."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

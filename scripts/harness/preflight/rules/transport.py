@@ -1,7 +1,5 @@
 """Rules on transport: convection against the mesh, and time steps against it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 
