@@ -23,12 +23,9 @@ from scipy.optimize import brentq
 
 from harness.arrays import Array
 
-_NEGLIGIBLE = 45.0
-"""Exponent beyond which a term is below 3e-20."""
-_COINCIDENT = 1e-9
-"""Relative distance below which two poles are one."""
-_BESIDE = 1e-7
-"""Distance from a double pole, where the characteristic function vanishes, relative to the next pole's."""
+_NEGLIGIBLE = 45.0  # exponent beyond which a term is below 3e-20
+_COINCIDENT = 1e-9  # relative distance below which two poles are one
+_BESIDE = 1e-7  # distance from a double pole, where the characteristic function vanishes, relative to the next pole's
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike
 
 from harness.arrays import Array
 
-_NEGLIGIBLE = 45.0
-"""Exponent beyond which a term is below 3e-20."""
+_NEGLIGIBLE = 45.0  # exponent beyond which a term is below 3e-20
 _MOST_TERMS = 20_000
 
 
@@ -28,14 +27,10 @@ def concentration(z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: flo
         raise ValueError("time, height and diffusivity must be positive")
     if np.any(np.abs(position) > height / 2 * (1 + 1e-9)):
         raise ValueError("z must lie between -h/2 and h/2")
-    n = np.arange(1, _terms(diffusivity * float(time.min(initial=np.inf)) / height**2) + 1)
+    tau = diffusivity * float(time.min(initial=np.inf)) / height**2
+    n = np.arange(1, min(_MOST_TERMS, 2 + int(np.sqrt(_NEGLIGIBLE / tau) / np.pi)) + 1)
     mu = (n - 0.5) * np.pi
     xi = (0.5 - position / height)[..., None]
     decay = np.exp(-(mu**2) * diffusivity * time[..., None] / height**2)
     series = np.sum((-1.0) ** n / (2 * n - 1) * np.cos(mu * xi) * decay, axis=-1)
     return np.asarray(ambient * (1.0 + 4.0 / np.pi * series))
-
-
-def _terms(tau: float) -> int:
-    """Number of terms after which exp(-mu^2 tau) is negligible."""
-    return min(_MOST_TERMS, 2 + int(np.sqrt(_NEGLIGIBLE / tau) / np.pi))

@@ -1,4 +1,4 @@
-"""Puts refusals, changes and edits together."""
+"""What a switch of contacts would change in the physics, so that it is not made, and the edits that make it."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -13,10 +13,11 @@ from harness.conversion.fates import (
     WRITTEN,
     Action,
     Change,
+    Changes,
+    additions,
     fate,
     missing,
 )
-from harness.conversion.refusals import refusals
 from harness.conversion.sources import Located, Sources
 from harness.conversion.spans import Edit
 from harness.errors import ModelError
@@ -37,6 +38,7 @@ NOT_OURS = {
     "contact penalty": "",
 }
 """Plot variables that know FEBio's own contact classes only, and what takes their place."""
+KNOWN_TO_SOLUTE = ("biphasic", "biphasic-solute")  # porous materials that sliding-biphasic-solute takes for porous
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ def convert(path: Path) -> Converted:
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
         stay = "".join(f"; {reason}" for reason in dict.fromkeys(filter(None, map(tied_contacts.stays, joints))))
         raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be{stay}")
-    _refuse(path, list(refusals(model)))
+    _refuse(path, list(_refusals(model)))
     files = sources.read(path)
     edits, changes = _edits(files, model)
     sources.redirect(files, edits)
@@ -88,6 +90,32 @@ def _refuse(path: Path, reasons: list[str]) -> None:
     if reasons:
         listed = "\n".join(f"  - {reason}" for reason in dict.fromkeys(reasons))
         raise ModelError(f"{path} is not converted:\n{listed}")
+
+
+def _refusals(model: Model) -> Iterator[str]:
+    """Reasons not to convert, one sentence each; none where the physics stays."""
+    for contact in model.contacts:
+        if contact.kind.name in CONVERTIBLE:
+            yield from _of_materials(Joint(model, contact))
+    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+        if contact.given("fric_coeff") is not None and "fric_coeff" not in contact.kind.parameters:
+            yield f"{documents.place(contact.tag)}: {contact.kind.name} has no parameter <fric_coeff>; FEBio stops"
+
+
+def _of_materials(joint: Joint) -> Iterator[str]:
+    """To FEBio's types a surface is impermeable to what they do not know; `sliding-mixture` would exchange it."""
+    kind, where = joint.contact.kind, documents.place(joint.contact.tag)
+    for side in joint.sides:
+        name = side.surface.name
+        for material in side.kinds:
+            seen = f"surface '{name}' has material '{material.name}' ({material.kind})"
+            if material.solutes and kind.solvent and not kind.solutes:
+                yield (
+                    f"{where}: {seen}: {kind.name} leaves its surfaces impermeable to solutes, but sliding-mixture "
+                    "would exchange them and prescribe the ambient concentration at open nodes"
+                )
+            elif kind.name == "sliding-biphasic-solute" and material.porous and material.kind not in KNOWN_TO_SOLUTE:
+                yield f"{where}: {seen}: {kind.name} treats it as a solid without fluid, and sliding-mixture does not"
 
 
 def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[str, list[Change]]]:
@@ -135,25 +163,19 @@ def _joints(files: Sources, model: Model) -> Iterator[tuple[Located, Joint | Non
         yield contact, Joint(model, next(known)) if known is not None else None
 
 
-def _impermeable(joint: Joint) -> bool:
-    """Whether a contact of FEBio's that knows traction alone stands between bodies one of which has fluid."""
-    return not joint.contact.kind.solvent and any(side.porous for side in joint.sides)
-
-
-def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
-    kind, impermeable, rubs = joint.contact.kind, _impermeable(joint), joint.contact.has_friction
+def _parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
+    kind, rubs = joint.contact.kind, joint.contact.has_friction
+    impermeable = not kind.solvent and any(side.porous for side in joint.sides)
     for child in contact.children:
         value = spans.text(data, child)
-        change = fate(kind, child.tag, value, rubs=rubs)(child.line)
+        action, reason = fate(kind, child.tag, value, rubs=rubs)
+        change = Change(action, child.tag, child.line, reason)
         yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = missing(kind, {child.tag for child in contact.children})
     written = [(name, DEFAULT, WRITTEN[name]) for name in names]
     parameters = IMPERMEABLE_WITH_FRICTION if rubs else IMPERMEABLE
     written += [(name, value, TRACTION_ALONE) for name, value in parameters.items() if impermeable]
-    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
-    for place, (name, value, reason) in enumerate(written):
-        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
-        yield spans.insertion(data, contact, lines) if place == 0 else [], change
+    yield from additions(data, contact, written)
 
 
 def _prescribed(model: Model) -> Iterator[Change]:

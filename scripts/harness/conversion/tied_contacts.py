@@ -5,14 +5,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.conversion import spans
-from harness.conversion.fates import NO_DIFFERENCE, Action, Change, is_zero
-from harness.conversion.spans import Edit
+from harness.conversion.fates import NO_DIFFERENCE, Action, Change, Changes, additions
 from harness.preflight.byte_spans import Span
 from harness.preflight.contact_types import ANY_DISTANCE, STICKY, keeps_gaps
 from harness.preflight.sides import SIDES, Joint
+from harness.preflight.xml_file import as_number
 
-TOUCHING = 1e-6
-"""Gap over the width of the facets below which surfaces touch."""
+TOUCHING = 1e-6  # gap over the width of the facets below which surfaces touch
 
 DROPPED = {
     "two_pass": "each condition occurs once; two passes would hold each node twice",
@@ -36,8 +35,7 @@ KEPT = {
     "node_reloc": "nodes move along their normals instead of to the closest point",
 }
 """What differs in parameters that stay."""
-NEVER = 1e6
-"""Times the strength in tension: a strength in shear that no load reaches."""
+NEVER = 1e6  # times the strength in tension: a strength in shear that no load reaches
 _PENALTY = "convert writes FEBio's default; an automatic penalty would leave far smaller gaps"
 _LIMITLESS = (
     "convert writes a radius, because FEBio's type has no limit; the default ties no nodes farther than a quarter of "
@@ -68,7 +66,7 @@ def _touching(joint: Joint) -> float:
     return TOUCHING * float(np.sqrt(np.median(joint.primary.area)))
 
 
-def parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
+def parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
     """Edits of the parameters of a tie, and what each does."""
     if joint.contact.kind.name in ANY_DISTANCE:
         joint = joint.facing()
@@ -77,11 +75,7 @@ def parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[
         change = _fate(joint, child, spans.text(data, child))
         gone = change.action is not Action.KEPT
         yield [spans.removal(data, child)] if gone else [], change
-    written = list(_written(data, contact, joint))
-    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
-    for number, (name, value, reason) in enumerate(written):
-        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
-        yield spans.insertion(data, contact, lines) if number == 0 else [], change
+    yield from additions(data, contact, list(_written(data, contact, joint)))
 
 
 def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
@@ -118,12 +112,8 @@ def _sticky_fate(joint: Joint, child: Span) -> Change:
         return Change(Action.DROPPED, child.tag, child.line, "convert writes it again if the surface must be flipped")
     if not joint.contact.value(child.tag, 0.0) > 0.0:
         return Change(Action.DROPPED, child.tag, child.line, "the tie cannot break, as in FEBio")
-    return Change(
-        Action.KEPT,
-        child.tag,
-        child.line,
-        "broken nodes are in sliding contact, whereas sticky ties them again",
-    )
+    after = "broken nodes are in sliding contact, whereas sticky ties them again"
+    return Change(Action.KEPT, child.tag, child.line, after)
 
 
 def _written(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[str, str, str]]:
@@ -148,17 +138,14 @@ def _of_any_distance(joint: Joint, limit: str) -> Iterator[tuple[str, str, str]]
     for which in SIDES:
         if (which in joint.turned) != (is_sticky and joint.contact.on(f"flip_{which}")):
             yield f"flip_{which}", "1", "its facets face away from the other surface, which FEBio's type ignores"
-    if not is_zero(limit):
+    if as_number(limit) != 0.0:
         yield "search_radius", limit, "was <max_distance>"
     elif joint.largest_gap > 0:
         yield "search_radius", f"{1.1 * joint.largest_gap:.6g}", _LIMITLESS
     strength = joint.contact.value("max_traction", 0.0)
     if strength > 0.0:
-        yield (
-            "max_shear",
-            f"{NEVER * strength:.6g}",
-            "an unreachable value, because FEBio's type does not break in shear",
-        )
+        why = "an unreachable value, because FEBio's type does not break in shear"
+        yield "max_shear", f"{NEVER * strength:.6g}", why
 
 
 def _effects(joint: Joint) -> str:

@@ -16,14 +16,10 @@ from harness.models.parts import (
     pressure,
 )
 
-HEIGHT = 2.0
-"""mm, both cubes together."""
-AMBIENT = 1.0
-"""Ambient concentration c*, mM."""
-DIFFUSIVITY = 5e-4
-"""mm^2/s."""
-CLOSING = 1e-3
-"""mm by which the impermeable face is moved, so that the cubes are in contact."""
+HEIGHT = 2.0  # mm, both cubes together
+AMBIENT = 1.0  # ambient concentration c*, mM
+DIFFUSIVITY = 5e-4  # mm^2/s
+CLOSING = 1e-3  # mm by which the impermeable face is moved, so that the cubes are in contact
 
 MATERIAL = Mixture(Solid(10.0), permeability=1e-4, solutes=(Solute(1, DIFFUSIVITY, DIFFUSIVITY),))
 ABOUT = """\

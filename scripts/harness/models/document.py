@@ -1,6 +1,6 @@
 """A whole model, its .feb text, and where its node data go."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from textwrap import indent
@@ -21,10 +21,10 @@ from harness.models.parts import (
     Material,
     Mixture,
     Rigid,
+    Springs,
     child,
     text_of,
 )
-from harness.models.springs import Springs
 
 MODULES = ("solid", "biphasic", "solute", "multiphasic")
 
@@ -181,34 +181,28 @@ def _element_type(nodes: int) -> str:
     return f"{shape}{nodes}"
 
 
+_CONDITIONS = {"Boundary": ("bc",), "Rigid": ("rigid_bc", "rigid_load"), "Initial": ("ic",), "Loads": ("surface_load",)}
+"""Tags of the conditions in each section of a file."""
+
+
 def _sections(model: Model, root: Element) -> None:
-    boundary = child(root, "Boundary")
-    for condition in model.conditions:
-        if condition.tag == "bc":
-            condition.write(boundary)
-    sections = (("Rigid", ("rigid_bc", "rigid_load")), ("Initial", ("ic",)), ("Loads", ("surface_load",)))
-    for title, tags in sections:
+    for title, tags in _CONDITIONS.items():
         chosen = [condition for condition in model.conditions if condition.tag in tags]
-        section = child(root, title) if chosen else boundary
+        section = child(root, title) if chosen or title == "Boundary" else root
         for condition in chosen:
             condition.write(section)
-    if model.contacts:
-        section = child(root, "Contact")
-        for contact in model.contacts:
-            contact.write(section)
-    if model.springs:
-        _springs(model.springs, child(root, "Discrete"))
-    section = child(root, "LoadData") if model.curves else boundary
+    section = child(root, "Contact") if model.contacts else root
+    for contact in model.contacts:
+        contact.write(section)
+    section = child(root, "Discrete") if model.springs else root
+    for number, group in enumerate(model.springs, 1):
+        group.write_material(section, number)
+    for number, group in enumerate(model.springs, 1):
+        group.write_set(section, number)
+    section = child(root, "LoadData") if model.curves else root
     for number, curve in enumerate(model.curves, 1):
         curve.write(section, number)
     _output(model, root)
-
-
-def _springs(springs: Sequence[Springs], section: Element) -> None:
-    for number, group in enumerate(springs, 1):
-        group.write_material(section, number)
-    for number, group in enumerate(springs, 1):
-        group.write_set(section, number)
 
 
 def _output(model: Model, root: Element) -> None:

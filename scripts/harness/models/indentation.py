@@ -21,16 +21,11 @@ from harness.models.parts import (
     initial_pressure,
 )
 
-CONCENTRATION = 1.0
-"""Initial concentration of the slab, mM; the cylinder and the surroundings have none."""
-DEPTH = 2.0
-"""mm by which the cylinder's flat top is driven down."""
-RAMP = 1.0
-"""s in which it is driven."""
-END = 6000.0
-"""s."""
-TIMES = (1.0, 100.0, 1000.0, 6000.0)
-"""Times of the pictures of figure 3.4, s; a time step ends at each."""
+CONCENTRATION = 1.0  # initial concentration of the slab, mM; the cylinder and the surroundings have none
+DEPTH = 2.0  # mm by which the cylinder's flat top is driven down
+RAMP = 1.0  # s in which it is driven
+END = 6000.0  # s
+TIMES = (1.0, 100.0, 1000.0, 6000.0)  # times of the pictures of figure 3.4, s; a time step ends at each
 GEL = Mixture(Solid(1.0, 0.3), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
 
 RAMP_CURVE, STEP_CURVE = 1, 2
@@ -76,6 +71,7 @@ class Indentation:
         """The model of these choices."""
         made = mesh(self.grid, self.primary)
         module = self.module or self.interface.module
+        clamp = Param("force_positive_concentrations", self.clamp)
         return Model(
             self.name,
             header(self.name, ABOUT.format(radius=self.grid.radius, depth=DEPTH), self.interface),
@@ -83,7 +79,7 @@ class Indentation:
             made,
             {"slab": GEL, "cylinder": GEL},
             self._conditions(),
-            self._control(module),
+            self.control if module != "multiphasic" else replace(self.control, solver=(clamp, *self.control.solver)),
             contacts(self.interface, made, self.settings),
             (Curve(((0.0, 0.0), (RAMP, 1.0))), STEPS),
             plot=self.plot,
@@ -102,8 +98,3 @@ class Indentation:
             initial_concentration("slab", CONCENTRATION),
             initial_pressure("slab", effective_pressure(CONCENTRATION)),
         )
-
-    def _control(self, module: str) -> Control:
-        if module != "multiphasic":
-            return self.control
-        return replace(self.control, solver=(Param("force_positive_concentrations", self.clamp), *self.control.solver))

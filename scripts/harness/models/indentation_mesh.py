@@ -12,12 +12,9 @@ from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Mesh, Part
 
-CORE = 0.52
-"""Size of the inner block of an O-grid, relative to the radius."""
-BULGE = 0.35
-"""How far the inner block leans towards the round shape: 0 a square, 1 a disk."""
-NEAR = 1e-9
-"""Tolerance for positions, mm."""
+CORE = 0.52  # size of the inner block of an O-grid, relative to the radius
+BULGE = 0.35  # how far the inner block leans towards the round shape: 0 a square, 1 a disk
+NEAR = 1e-9  # tolerance for positions, mm
 
 
 class Primary(str, Enum):

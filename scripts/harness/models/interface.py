@@ -13,20 +13,14 @@ from harness.models.parts import Contact, Param
 class InterfaceType(str, Enum):
     """What stands between two neighbouring bodies."""
 
-    MIXTURE = "sliding-mixture"
-    """The plugin's sliding interface."""
-    TIED = "tied-mixture"
-    """The plugin's tie."""
-    SOLUTE = "sliding-biphasic-solute"
-    """FEBio's interface for one solute."""
+    MIXTURE = "sliding-mixture"  # the plugin's sliding interface
+    TIED = "tied-mixture"  # the plugin's tie
+    SOLUTE = "sliding-biphasic-solute"  # FEBio's interface for one solute
     MULTIPHASIC = "sliding-multiphasic"
     """FEBio's interface for any number of solutes; it belongs to the module 'multiphasic'."""
-    BIPHASIC = "sliding-biphasic"
-    """FEBio's interface for solid and solvent."""
-    ELASTIC = "sliding-elastic"
-    """FEBio's interface for traction alone, with tension and friction at need."""
-    CONFORMING = "conforming"
-    """No interface: the nodes are merged, and what is left is one body."""
+    BIPHASIC = "sliding-biphasic"  # FEBio's interface for solid and solvent
+    ELASTIC = "sliding-elastic"  # FEBio's interface for traction alone, with tension and friction at need
+    CONFORMING = "conforming"  # no interface: the nodes are merged, and what is left is one body
 
     @classmethod
     def ours_in(cls, contacts: Container[str]) -> InterfaceType:

@@ -26,21 +26,16 @@ class Layered:
     name: str = "layered"
     plot: bool = False
 
-    ABOUT: ClassVar[str]
-    """What the model shows."""
-    CLOSING: ClassVar[float] = 0.0
-    """mm by which the highest face is moved, so that the layers are in contact."""
-    BOTTOM: ClassVar[float] = 0.0
-    """z of the lowest face, mm."""
-    GAP: ClassVar[float] = 0.0
-    """Distance of the layers at first, mm; negative for an overlap."""
+    ABOUT: ClassVar[str]  # what the model shows
+    CLOSING: ClassVar[float] = 0.0  # mm by which the highest face is moved, so that the layers are in contact
+    BOTTOM: ClassVar[float] = 0.0  # z of the lowest face, mm
+    GAP: ClassVar[float] = 0.0  # distance of the layers at first, mm; negative for an overlap
     MATERIALS: ClassVar[Mapping[str, Material]]
     COLUMN: ClassVar[tuple[tuple[str, str, float], ...]]
     """Name, material and thickness (mm) of each layer, from the lowest on."""
     PRESCRIBED: ClassVar[tuple[Condition, ...]]
     """Pressures, concentrations and loads, on the node sets ``bottom`` and ``top``."""
-    LOGGED: ClassVar[tuple[str, ...]] = ()
-    """Element data to write, by their names in the module `solute`."""
+    LOGGED: ClassVar[tuple[str, ...]] = ()  # element data to write, by their names in the module `solute`
 
     @property
     def title(self) -> str:

@@ -66,18 +66,11 @@ class Box:
     elements: tuple[int, int, int]
 
 
-@dataclass(frozen=True)
-class _Block:
-    nodes: Nodes
-    elements: Ids
-    bottom: Ids
-    top: Ids
-    bottom_facets: Ids
-    top_facets: Ids
+def _block(x: Array, y: Array, z: Array) -> tuple[Nodes, Ids, dict[str, Ids], dict[str, Ids]]:
+    """One box of hex8 over the given lines of nodes (mm), nodes numbered from 1, x fastest.
 
-
-def _block(x: Array, y: Array, z: Array) -> _Block:
-    """One box of hex8 over the given lines of nodes (mm), nodes numbered from 1, x fastest."""
+    Returns: nodes, elements, and the nodes and the facets of ``bottom`` and ``top``.
+    """
     zz, yy, xx = np.meshgrid(z, y, x, indexing="ij")
     nodes = np.column_stack([xx.ravel(), yy.ravel(), zz.ravel()])
     number = 1 + np.arange(len(nodes), dtype=np.int64).reshape(zz.shape)
@@ -88,7 +81,8 @@ def _block(x: Array, y: Array, z: Array) -> _Block:
     elements = np.stack([v.ravel() for v in (a, b, c, d, e, f, g, h)], axis=1)
     upward = np.stack([v[-1].ravel() for v in (e, f, g, h)], axis=1)
     downward = np.stack([v[0].ravel() for v in (a, d, c, b)], axis=1)
-    return _Block(nodes, elements, number[0].ravel(), number[-1].ravel(), downward, upward)
+    ends = {"bottom": number[0].ravel(), "top": number[-1].ravel()}
+    return nodes, elements, ends, {"bottom": downward, "top": upward}
 
 
 def _line(start: float, length: float, elements: int, name: str) -> Array:
@@ -111,14 +105,13 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
     surfaces: dict[str, Ids] = {}
     offset = 0
     for box in boxes:
-        block = _block(*(_line(box.corner[k], box.size[k], box.elements[k], box.name) for k in range(3)))
-        nodes.append(block.nodes)
-        parts.append(Part(box.name, box.material, block.elements + offset))
-        sets[f"{box.name}-bottom"] = block.bottom + offset
-        sets[f"{box.name}-top"] = block.top + offset
-        surfaces[f"{box.name}-bottom"] = block.bottom_facets + offset
-        surfaces[f"{box.name}-top"] = block.top_facets + offset
-        offset += len(block.nodes)
+        lines = (_line(box.corner[k], box.size[k], box.elements[k], box.name) for k in range(3))
+        points, elements, ends, facets = _block(*lines)
+        nodes.append(points)
+        parts.append(Part(box.name, box.material, elements + offset))
+        sets |= {f"{box.name}-{end}": ids + offset for end, ids in ends.items()}
+        surfaces |= {f"{box.name}-{end}": ids + offset for end, ids in facets.items()}
+        offset += len(points)
     everything = {"all": np.arange(1, offset + 1, dtype=np.int64)}
     return Mesh(np.concatenate(nodes), tuple(parts), everything | sets, surfaces)
 
@@ -143,7 +136,10 @@ def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
         height += layer.thickness + gap
     mesh = assemble(boxes)
     pairs = {f"{a.name}/{b.name}": (f"{a.name}-top", f"{b.name}-bottom") for a, b in pairwise(layers)}
-    sets, surfaces = (_with_ends(groups, layers) for groups in (mesh.node_sets, mesh.surfaces))
+    ends = {"bottom": f"{layers[0].name}-bottom", "top": f"{layers[-1].name}-top"}
+    sets, surfaces = (
+        {end: groups[name] for end, name in ends.items()} | groups for groups in (mesh.node_sets, mesh.surfaces)
+    )
     return replace(mesh, node_sets=sets, surfaces=surfaces, pairs=pairs)
 
 
@@ -166,8 +162,3 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
     surfaces = {name: number[mesh.surfaces[name] - 1] for name in ends}
     parts = tuple(replace(part, elements=number[part.elements - 1]) for part in mesh.parts)
     return Mesh(mesh.nodes[kept], parts, sets, surfaces)
-
-
-def _with_ends(groups: dict[str, Ids], layers: Sequence[Layer]) -> dict[str, Ids]:
-    """Add the names ``bottom`` and ``top`` for the two ends of a column."""
-    return {"bottom": groups[f"{layers[0].name}-bottom"], "top": groups[f"{layers[-1].name}-top"]} | groups

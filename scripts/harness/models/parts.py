@@ -1,4 +1,4 @@
-"""The pieces a model is put together from: materials, conditions, contact, control. Each writes its own XML."""
+"""The pieces of a model: materials, conditions, contact, springs, control. Each writes its own XML."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -6,15 +6,14 @@ from typing import ClassVar, TypeAlias
 
 from lxml import etree
 
+from harness.arrays import Ids
+
 Element = etree._Element
 Value: TypeAlias = float | int | str | bool | tuple[float, ...]
 
-GAS_CONSTANT = 8.314e-6
-"""mJ/(nmol K), with mm, N, s, nmol."""
-TEMPERATURE = 298.0
-"""K."""
-FARADAY = 9.64853321e-5
-"""C/nmol; the electric potential is then in mV."""
+GAS_CONSTANT = 8.314e-6  # mJ/(nmol K), with mm, N, s, nmol
+TEMPERATURE = 298.0  # K
+FARADAY = 9.64853321e-5  # C/nmol; the electric potential is then in mV
 
 
 def text_of(value: Value) -> str:
@@ -353,3 +352,28 @@ class Contact:
         made = child(parent, "contact", name=self.pair, type=self.kind, surface_pair=self.pair)
         for param in self.params:
             param.write(made)
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Springs of one stiffness, which pull and push."""
+
+    name: str
+    stiffness: float  # of each spring, N/mm
+    ends: Ids  # shape (n_springs, 2): node numbers, from 1
+    curve: int | None = None  # number of a load curve that is a factor of the stiffness
+
+    def write_mesh(self, parent: Element) -> None:
+        """Append the pairs of nodes to the section ``Mesh``."""
+        made = child(parent, "DiscreteSet", name=self.name)
+        for pair in self.ends:
+            child(made, "delem", tuple(map(int, pair)))
+
+    def write_material(self, parent: Element, number: int) -> None:
+        """Append the material to the section ``Discrete``."""
+        made = child(parent, "discrete_material", id=str(number), name=self.name, type="linear spring")
+        Param("E", self.stiffness, self.curve).write(made)
+
+    def write_set(self, parent: Element, number: int) -> None:
+        """Append the springs to the section ``Discrete``."""
+        child(parent, "discrete", dmat=str(number), discrete_set=self.name)

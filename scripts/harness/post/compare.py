@@ -12,8 +12,7 @@ from harness.errors import ModelError
 from harness.models.mesh import Mesh
 from harness.run.runner import RunResult
 
-SAME_PLACE = 1e-6
-"""mm between nodes of two meshes that stand for one another."""
+SAME_PLACE = 1e-6  # mm between nodes of two meshes that stand for one another
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,8 @@ from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Mesh
 
-MAP = "viridis"
-"""Colours of 0 to 1."""
-NEAR = 1e-9
-"""Tolerance for positions, mm."""
+MAP = "viridis"  # colours of 0 to 1
+NEAR = 1e-9  # tolerance for positions, mm
 
 
 @dataclass(frozen=True)

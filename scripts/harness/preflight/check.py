@@ -11,8 +11,7 @@ from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT, Rule, ties
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import AS_THEY_ARE, Contents
 
-UNREADABLE = ("bad-value", "load-curve")
-"""Rules after which the values of the contact cannot be used."""
+UNREADABLE = ("bad-value", "load-curve")  # rules after which the values of the contact cannot be used
 BROKEN = (
     *("empty-surface", "facet-of-no-element", "flat-facet", "no-material", "inverted-facets"),
     *("shell-facets", "self-contact"),

@@ -6,8 +6,7 @@ from harness.preflight.plugin_types import PLUGIN_TYPES
 
 MIXTURE = "sliding-mixture"
 TIED = "tied-mixture"
-STICKY = "sticky"
-"""FEBio's type that ties what touches, and lets it go at a tension."""
+STICKY = "sticky"  # FEBio's type that ties what touches, and lets it go at a tension
 
 _COMMON = ("laugon", "tolerance", "gaptol", "penalty", "auto_penalty", "update_penalty", "two_pass", "knmult")
 _SEARCH = ("search_tol", "search_radius", "seg_up", "minaug", "maxaug", "node_reloc", "smooth_aug")
@@ -77,11 +76,6 @@ MODULES = {
 """FEBio's modules, and those whose classes each of them has."""
 
 
-def _of_plugin(name: str) -> frozenset[str]:
-    """Parameters of one of the plugin's types; FEBio gives every sliding contact the hidden ones."""
-    return frozenset([parameter.name for parameter in PLUGIN_TYPES[name]]).union(_HIDDEN)
-
-
 def _type(name: str, home: str, *parameters: str) -> ContactType:
     return ContactType(name, home, frozenset(parameters))
 
@@ -95,7 +89,7 @@ _CONVECTIVE = (*_SLIDING, *_SOLVENT, *_SOLUTE, "ambient_pressure", "ambient_conc
 TYPES = {
     known.name: known
     for known in (
-        ContactType(MIXTURE, "", _of_plugin(MIXTURE)),
+        _type(MIXTURE, "", *(parameter.name for parameter in PLUGIN_TYPES[MIXTURE]), *_HIDDEN),
         _type("sliding-elastic", "solid", *_SLIDING, *_SHELLS, "tension", "offset", "fric_coeff"),
         _type("sliding-biphasic", "biphasic", *_SLIDING, *_SOLVENT, *_FRICTION, *_SHELLS),
         _type("sliding-biphasic-mixed", "biphasic", *_SLIDING, *_SOLVENT, *_FRICTION, *_SHELLS),

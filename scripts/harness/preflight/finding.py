@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from functools import partial
 
 from harness.preflight.byte_spans import Place
 from harness.preflight.xml_file import Element, place
@@ -10,12 +11,9 @@ from harness.preflight.xml_file import Element, place
 class Severity(str, Enum):
     """How bad a finding is."""
 
-    ERROR = "error"
-    """The run will stop, or the contact will not do what the file says."""
-    WARNING = "warning"
-    """The run may fail, or its answer is not what it seems."""
-    NOTE = "note"
-    """Worth knowing; nothing has to change."""
+    ERROR = "error"  # the run will stop, or the contact will not do what the file says
+    WARNING = "warning"  # the run may fail, or its answer is not what it seems
+    NOTE = "note"  # worth knowing; nothing has to change
 
 
 @dataclass(frozen=True)
@@ -41,19 +39,11 @@ class Finding:
         }
 
 
-def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """The run will stop, or the contact will not do what the file says."""
-    return Finding(Severity.ERROR, rule, place(tag), message, suggestion)
+def _found(severity: Severity, rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    return Finding(severity, rule, place(tag), message, suggestion)
 
 
-def warning(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """The run may fail, or its answer is not what it seems."""
-    return Finding(Severity.WARNING, rule, place(tag), message, suggestion)
-
-
-def note(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """Worth knowing."""
-    return Finding(Severity.NOTE, rule, place(tag), message, suggestion)
+error, warning, note = (partial(_found, severity) for severity in Severity)
 
 
 def short(value: float) -> str:

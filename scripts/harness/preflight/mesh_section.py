@@ -137,25 +137,18 @@ def _keys(corners: Ids) -> Ids:
 
 
 def _faces(mesh: Mesh) -> Faces:
-    corners, element, volume, number = [], [], [], []
-    first = 0
-    for place_, block in enumerate(mesh.blocks):
-        if not block.solid or not len(block.nodes):
+    corners, volume = [np.empty((0, 4), dtype=np.int64)], [np.empty(0)]
+    element, block = [np.empty(0, dtype=np.int64)], [np.empty(0, dtype=np.int64)]
+    for number, own in enumerate(mesh.blocks):
+        if not own.solid or not len(own.nodes):
             continue
-        own = block.nodes[:, block.shape.corner_faces]
-        corners.append(own.reshape(-1, 4))
-        count = len(block.nodes)
-        element.append(np.repeat(np.arange(first, first + count), own.shape[1]))
-        volume.append(elements.volumes(mesh.points[own]))
-        number.append(np.full(count, place_))
-        first += count
-    if not corners:
-        none = np.empty(0, dtype=np.int64)
-        return Faces(np.empty((0, 4), dtype=np.int64), none, none, np.empty(0), none)
-    all_corners = np.concatenate(corners)
-    return Faces(
-        all_corners, np.concatenate(element), _keys(all_corners), np.concatenate(volume), np.concatenate(number)
-    )
+        faces, count, first = own.nodes[:, own.shape.corner_faces], len(own.nodes), sum(map(len, volume))
+        corners.append(faces.reshape(-1, 4))
+        element.append(np.repeat(np.arange(first, first + count), faces.shape[1]))
+        volume.append(elements.volumes(mesh.points[faces]))
+        block.append(np.full(count, number))
+    joined = np.concatenate(corners)
+    return Faces(joined, np.concatenate(element), _keys(joined), np.concatenate(volume), np.concatenate(block))
 
 
 # ---- reading ----
@@ -189,7 +182,10 @@ def read(document: Document) -> Mesh:
     surfaces = {attribute(tag, "name"): _read_surface(tag, numbering) for tag in document.all("Mesh", "Surface")}
     pairs = {attribute(tag, "name"): _read_pair(tag, surfaces) for tag in document.all("Mesh", "SurfacePair")}
     sets |= {f"@surface:{name}": np.unique(surface.corners) for name, surface in surfaces.items()}
-    sets |= _sets_of_edges(document, numbering) | _sets_of_elements(document, blocks)
+    for tag in document.all("Mesh", "Edge"):
+        nodes = [node for edge in children(tag) for node in integers(edge)]
+        sets[f"@edge:{attribute(tag, 'name')}"] = np.unique(numbering.places(nodes, tag))
+    sets |= _sets_of_elements(document, blocks)
     return Mesh(points, blocks, sets, surfaces, pairs)
 
 
@@ -200,14 +196,6 @@ def _refuse_unknown(document: Document) -> None:
                 raise ModelError(
                     f"{place(tag)}: FEBio 4 reads no <{tag.tag}> in <Mesh>; there is {', '.join(SECTIONS)}"
                 )
-
-
-def _sets_of_edges(document: Document, numbering: _Numbering) -> dict[str, Ids]:
-    found = {}
-    for tag in document.all("Mesh", "Edge"):
-        nodes = [node for edge in children(tag) for node in integers(edge)]
-        found[f"@edge:{attribute(tag, 'name')}"] = np.unique(numbering.places(nodes, tag))
-    return found
 
 
 def _sets_of_elements(document: Document, blocks: tuple[Block, ...]) -> dict[str, Ids]:

@@ -10,10 +10,9 @@ import numpy as np
 
 from harness.arrays import Array, Ids
 from harness.errors import ModelError
-from harness.preflight import materials, mesh_section
-from harness.preflight import xml_file as documents
+from harness.preflight import materials, mesh_section, xml_file
 from harness.preflight.contact_types import MIXTURE, TIED_TYPES, TYPES, ContactType
-from harness.preflight.formats import newest
+from harness.preflight.formats import read_newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
 from harness.preflight.plugin_types import PLUGIN_TYPES
@@ -56,7 +55,7 @@ class Contact:
 
     def on(self, name: str) -> bool:
         """Whether a switch is on."""
-        return documents.flag(self.tag, name)
+        return xml_file.flag(self.tag, name)
 
     @property
     def drains(self) -> bool:
@@ -93,7 +92,7 @@ class Contact:
     def method(self) -> int | None:
         """Place of <laugon> in `METHODS`; None where it is none of them."""
         found = self.given("laugon")
-        return 0 if found is None else documents.chosen(text(found), METHODS)
+        return 0 if found is None else xml_file.chosen(text(found), METHODS)
 
     @property
     def name(self) -> str:
@@ -138,14 +137,11 @@ class Model:
         named = {}
         for section in self.document.all("MeshDomains"):
             for domain in children(section):
-                named[str(domain.get("name"))] = self._material_of(domain)
+                material = attribute(domain, "mat")
+                if material not in self.materials:
+                    raise unknown_name(domain, "material", material, self.materials)
+                named[str(domain.get("name"))] = self.materials[material]
         return tuple(named.get(block.name) for block in self.mesh.blocks)
-
-    def _material_of(self, domain: Element) -> Material:
-        name = attribute(domain, "mat")
-        if name not in self.materials:
-            raise unknown_name(domain, "material", name, self.materials)
-        return self.materials[name]
 
     @cached_property
     def gas_constant_and_temperature(self) -> float:
@@ -159,6 +155,10 @@ class Model:
     def controls(self) -> tuple[Element, ...]:
         """Control sections, in order of the steps."""
         return self.document.each("Control")
+
+    def of_solvers(self, name: str) -> Iterator[Element]:
+        """Tags of a name in the solvers of all steps."""
+        return (tag for each in self.controls for solver in children(each, "solver") for tag in children(solver, name))
 
     @cached_property
     def contact_pairs(self) -> tuple[Pair, ...]:
@@ -190,7 +190,7 @@ class Model:
         """Points (time, value) of the load curves, by their ids; other controllers have no points."""
         found = {}
         for tag in self.document.all("LoadData", "load_controller"):
-            points = [documents.floats(point, 2) for part in children(tag, "points") for point in children(part)]
+            points = [xml_file.floats(point, 2) for part in children(tag, "points") for point in children(part)]
             found[attribute(tag, "id")] = np.array(points).reshape(-1, 2)
         return found
 
@@ -226,7 +226,7 @@ def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = newest.read(path, instead)
+    document = read_newest(path, instead)
     module = next(document.all("Module"), None)
     if module is None:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')

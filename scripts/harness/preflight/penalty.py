@@ -33,7 +33,8 @@ def penalty(joint: Joint, field: Field) -> Penalty:
     contact = joint.contact
     tag = contact.given(field.penalty)
     mixture = contact.kind.is_mixture
-    primary = _mean(joint.primary.conductances(field))
+    own = joint.primary.conductances(field)
+    primary = float(own.mean()) if len(own) else math.nan
     local = in_series(primary, harmonic_mean(joint.secondary.conductances(field))) if mixture else primary
     default = (TRACTION_FACTOR if field == TRACTION else FLUX_FACTOR) if mixture else 1.0
     factor = default if tag is None else largest(joint, tag)
@@ -70,10 +71,6 @@ def penalty_for(joint: Joint, field: Field, wanted: float) -> float:
     """The penalty with which the leak is `wanted`."""
     resistance = joint.primary.resistance(field) + joint.secondary.resistance(field)
     return (1.0 / wanted - 1.0) / resistance
-
-
-def _mean(values: Array) -> float:
-    return float(values.mean()) if len(values) else math.nan
 
 
 def harmonic_mean(values: Array) -> float:

@@ -19,13 +19,10 @@ from harness.preflight.model import Contact, Model
 MOST_FACETS, LEAST_FACETS, MOST_PAIRS = 1000, 100, 10_000_000
 """So many facets of a surface are looked at for gaps; fewer where the other surface has many. Of larger surfaces every
 n-th is."""
-NEAREST = 20
-"""So many facets are looked at closely."""
-MOST_DEPTHS = 40
-"""So many facets are looked at for the depth of the body behind them."""
+NEAREST = 20  # so many facets are looked at closely
+MOST_DEPTHS = 40  # so many facets are looked at for the depth of the body behind them
 SIDES = ("primary", "secondary")
-DEFAULT_RADIUS = 1.0
-"""`search_radius` of FEBio's interfaces where the model does not give it."""
+DEFAULT_RADIUS = 1.0  # `search_radius` of FEBio's interfaces where the model does not give it
 
 
 @dataclass(frozen=True)
@@ -138,10 +135,10 @@ class Side:
         does not.
         """
         least = np.full(len(origins), 1e-6 * float(np.linalg.norm(np.ptp(self.corners, axis=(0, 1)))))
-        return rays.first_exit(origins, -normals, rays.triangles(self.corners), least).distance
+        return rays.first_exit(origins, -normals, rays.triangles(self.corners), least)
 
-    def look_at(self, targets: Array, origins: Array, normals: Array) -> rays.Hits:
-        """What these places see of the triangles of another surface: nothing through the own body."""
+    def look_at(self, targets: Array, origins: Array, normals: Array) -> Array:
+        """Distances (mm) of triangles of another surface that these places see: nothing through the own body."""
         return rays.nearest_facing(origins, normals, targets, self.depths(origins, normals))
 
     def conductances(self, field: Field) -> Array:
@@ -181,8 +178,8 @@ class Side:
         step = max(1, len(self.centres) // MOST_DEPTHS)
         pick = np.flatnonzero(self.found)[::step]
         inward = np.where(self.inverted[pick, None], 1.0, -1.0) * self.normals[pick]
-        hits = rays.first_exit(self.centres[pick], inward, targets, 0.01 * self.thickness[pick])
-        known = hits.distance[np.isfinite(hits.distance)]
+        depths = rays.first_exit(self.centres[pick], inward, targets, 0.01 * self.thickness[pick])
+        known = depths[np.isfinite(depths)]
         return float(np.median(known)) if len(known) else float(np.nanmedian(self.thickness))
 
     def _mean_resistivity(self, field: Field, own: Mask) -> float:
@@ -275,10 +272,10 @@ class Joint:
         """
         side, targets = self.primary, rays.triangles(self.secondary.facing_corners)
         pick = sample(len(side.centres), len(targets))
-        centres = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
+        centres = side.look_at(targets, side.centres[pick], side.normals[pick])
         near = pick[np.argsort(np.where(np.isnan(centres), np.inf, centres))[:NEAREST]]
         normals = side.normals[near].repeat(4, axis=0)
-        corners = side.look_at(targets, side.corners[near].reshape(-1, 3), normals).distance
+        corners = side.look_at(targets, side.corners[near].reshape(-1, 3), normals)
         return np.concatenate([centres, corners])
 
     def facing(self) -> Joint:

@@ -19,15 +19,11 @@ from harness.preflight import byte_spans
 from harness.preflight.byte_spans import Place
 
 Element = etree._Element
-Contents: TypeAlias = Mapping[Path, bytes]
-"""What is read in place of files, by their paths."""
+Contents: TypeAlias = Mapping[Path, bytes]  # what is read in place of files, by their paths
 AS_THEY_ARE: Contents = MappingProxyType({})
-VERSIONS = ("2.5", "3.0", "4.0")
-"""Formats of model files, the newest last."""
-WITHOUT_CONTENT = "without_content"
-"""Attribute of a contact that is written with two tags and has nothing between them."""
-WRITTEN_AS = "written_as"
-"""Attribute with line and tag of what an element is made from, where the file has another one."""
+VERSIONS = ("2.5", "3.0", "4.0")  # formats of model files, the newest last
+WITHOUT_CONTENT = "without_content"  # attribute of a contact that is written with two tags and has nothing between them
+WRITTEN_AS = "written_as"  # attribute with line and tag of what an element is made from, where the file has another one
 DEEPEST_INCLUDE = 8
 LONGEST_RANGE = 50_000_000
 LONGEST_NAME, MOST_NAMES = 80, 20
@@ -221,10 +217,7 @@ def text(element: Element) -> str:
 
 def number(element: Element) -> float:
     """The finite number in an element. Raises ModelError where there is none."""
-    try:
-        value = float(text(element))
-    except ValueError:
-        value = math.nan
+    value = as_number(text(element))
     if not math.isfinite(value):
         raise ModelError(f"{place(element)}: is '{text(element)[:40]}'; a number is needed")
     return value
@@ -233,10 +226,13 @@ def number(element: Element) -> float:
 def optional_number(parent: Element, tag: str, default: float = math.nan) -> float:
     """The number in the child `tag`; `default` without it, NaN where it is a map or a formula."""
     found = parent.find(tag)
-    if found is None:
-        return default
+    return default if found is None else as_number(text(found))
+
+
+def as_number(value: str) -> float:
+    """The number that a text is; NaN where it is a map or a formula."""
     try:
-        return float(text(found))
+        return float(value)
     except ValueError:
         return math.nan
 
@@ -263,11 +259,7 @@ def chosen(value: str, words: Sequence[str]) -> int | None:
 
 def floats(element: Element, size: int) -> Array:
     """So many finite numbers, separated by commas. Raises ModelError."""
-    parts = text(element).split(",")
-    try:
-        values = np.array([float(part) for part in parts])
-    except ValueError:
-        values = np.array([math.nan])
+    values = np.array([as_number(part) for part in text(element).split(",")])
     if len(values) != size or not np.isfinite(values).all():
         raise ModelError(f"{place(element)}: is '{text(element)[:60]}'; {size} numbers separated by commas are needed")
     return values

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from harness.errors import DataFileError
-from harness.preflight.formats import newest
+from harness.preflight.formats import read_newest
 from harness.preflight.xml_file import Document
 from harness.report import history, pictures, plot_file, vtk_files
 from harness.report.history import Contact
@@ -22,7 +22,7 @@ def make(model: Path, folder: Path) -> Page:
     Raises DataFileError: no log or plot file beside the model, one that cannot be read, or no contact pressure in it.
     """
     log = _text_of(model.with_suffix(".log"), model)
-    document = newest.read(model)
+    document = read_newest(model)
     plot = plot_file.read(model.with_suffix(".xplt"))
     contacts = history.contacts(plot)
     if not contacts:

@@ -66,15 +66,12 @@ def write(page: Page, folder: Path) -> Path:
 
 
 def _figures(pictures: Sequence[Picture]) -> str:
-    return '<div class="figures">' + "".join(map(_figure, pictures)) + "</div>"
-
-
-def _figure(picture: Picture) -> str:
-    data = base64.b64encode(picture.file.read_bytes()).decode("ascii")
-    caption = escape(picture.caption)
-    return (
-        f'<figure><img alt="{caption}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
-    )
+    made = ""
+    for picture in pictures:
+        data, caption = base64.b64encode(picture.file.read_bytes()).decode("ascii"), escape(picture.caption)
+        image = f'<img alt="{caption}" src="data:image/png;base64,{data}">'
+        made += f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
+    return f'<div class="figures">{made}</div>'
 
 
 def _table(table: Table) -> str:

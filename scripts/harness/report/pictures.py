@@ -14,8 +14,7 @@ from harness.report.plot_file import PlotFile, State
 from harness.report.surface import Surface
 from harness.report.vtk_files import file_name, mesh_of
 
-SIZE = (900, 700)
-"""Pixels of a picture in three dimensions."""
+SIZE = (900, 700)  # pixels of a picture in three dimensions
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8", "#c77d0a", "#4a4e52")
 _COLOUR_MAP = "viridis"
 _HEX, _PENTA, _TET, _QUAD, _TRI, _PYRA = (8, 12), (6, 13), (4, 10), (4, 9), (3, 5), (5, 14)
@@ -28,8 +27,7 @@ _CELLS = {
     **dict.fromkeys((16, 18), _PYRA),
 }
 """Corners, and VTK's cell of as many corners, by FEBio's number of an element's shape in a plot file."""
-_HARDLY, _LONG = 0.05, 100.0
-"""Part of a contact's largest force, and ratio of its longest to its shortest step."""
+_HARDLY, _LONG = 0.05, 100.0  # part of a contact's largest force, and ratio of its longest to its shortest step
 _TILT = 0.6
 """How far the eye stands beside the mean normal of a surface, as a part of its distance: what is curved looks so."""
 

@@ -91,7 +91,8 @@ def read(path: Path) -> PlotFile:
     Raises DataFileError: no plot file of FEBio, a compressed one, one without results, or one that pyfebio cannot read.
     """
     memory = _parsed(path)
-    nodes = _coordinates(memory)
+    table = memory.data["meshes/0/nodes"]
+    nodes = np.column_stack([table[axis] for axis in "xyz"]).astype(float)
     surfaces = [Surface.from_faces(name, faces) for name, faces in memory.under(_SURFACES).items()]
     domains = {
         name: Domain(int(memory[_DOMAINS + name].attrs["etype"][0]), elements[:, 1:].astype(np.int64))
@@ -174,11 +175,6 @@ def _parse_blocks(buffer: bytes, memory: Any) -> None:
             states += 1
 
 
-def _coordinates(memory: _Memory) -> Array:
-    table = memory.data["meshes/0/nodes"]
-    return np.column_stack([table[axis] for axis in "xyz"]).astype(float)
-
-
 def _state(memory: _Memory, number: int, nodes: int, surfaces: list[Surface], domains: dict[str, Domain]) -> State:
     here = f"states/{number}/"
     nodal = {path.split("/")[0]: values.astype(float) for path, values in memory.under(here + "node_data/").items()}
@@ -191,14 +187,9 @@ def _state(memory: _Memory, number: int, nodes: int, surfaces: list[Surface], do
 
 
 def _surface_values(data: dict[str, NDArray[Any]], surfaces: list[Surface]) -> dict[str, list[Array | None]]:
+    floats = {path: values.astype(float) for path, values in data.items()}
     variables = dict.fromkeys(path.split("/", 1)[0] for path in data)
-    return {
-        variable: [_as_floats(data.get(f"{variable}/{surface.name}")) for surface in surfaces] for variable in variables
-    }
-
-
-def _as_floats(values: NDArray[Any] | None) -> Array | None:
-    return None if values is None else values.astype(float)
+    return {name: [floats.get(f"{name}/{surface.name}") for surface in surfaces] for name in variables}
 
 
 def _domain_values(data: dict[str, NDArray[Any]], domains: dict[str, Domain], nodes: int) -> dict[str, Array]:

@@ -17,8 +17,7 @@ from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoun
 from harness.paths import PLUGIN_NAME, PLUGIN_VARIABLE, is_checkout, plugin_library
 from harness.run import febio_log
 
-Progress = Callable[[float], None]
-"""Called with the time (s) that a run has reached."""
+Progress = Callable[[float], None]  # called with the time (s) that a run has reached
 _THREADS = "OMP_NUM_THREADS"
 _PEAK = re.compile(r"^VmHWM:\s+(\d+) kB$", re.MULTILINE)
 _FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
@@ -224,15 +223,11 @@ def _peak_memory(process: subprocess.Popen[str], before: float) -> float:
 
 def _complaint(command: Sequence[str], finished: Run, code: int) -> str:
     report = finished.report
-    said = "; ".join(report.errors) or _last_words(finished.output)
+    last = [line.strip() for line in finished.output.splitlines() if re.search(r"\w", line)][-5:]
+    said = "; ".join(report.errors) or " | ".join(last)
     name = Path(command[0]).name
     who = name if name == "mixture-contact" else "FEBio"
     return (
         f"{name} did not end normally (exit code {code}, {report.steps} time steps done).\n"
         f"{who} says: {said}\nCommand: {' '.join(command)}\nFolder: {finished.folder}"
     )
-
-
-def _last_words(output: str) -> str:
-    said = [line.strip() for line in output.splitlines() if re.search(r"\w", line)]
-    return " | ".join(said[-5:])

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from harness.errors import ModelError
-from harness.preflight.formats import newest
-from harness.preflight.xml_file import Document, Element, number, place
+from harness.preflight.formats import read_newest
+from harness.preflight.xml_file import Element, number, place
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ def inspect(path: Path) -> FebFile:
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = newest.read(path)
+    document = read_newest(path)
     pairs = [pair.get("name", "") for pair in document.all("Mesh", "SurfacePair")]
     contacts = [contact for _, contact in document.everywhere("Contact", "contact")]
     for contact in contacts:
@@ -34,7 +34,8 @@ def inspect(path: Path) -> FebFile:
     module = next(document.all("Module"), None)
     if module is None or not module.get("type"):
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
-    return FebFile(path, str(module.get("type")), tuple(str(c.get("type")) for c in contacts), _end(document))
+    end = sum(_number(each, "time_steps") * _number(each, "step_size") for each in document.each("Control"))
+    return FebFile(path, str(module.get("type")), tuple(str(c.get("type")) for c in contacts), end)
 
 
 def _check_contact(contact: Element, pairs: list[str]) -> None:
@@ -44,10 +45,6 @@ def _check_contact(contact: Element, pairs: list[str]) -> None:
     if pair not in pairs and contact.get("surface") is None:  # which a rigid wall has
         known = ", ".join(pairs) or "none: add a <SurfacePair> to <Mesh>"
         raise ModelError(f"{place(contact)} has surface_pair='{pair}', which does not exist; there is {known}")
-
-
-def _end(document: Document) -> float:
-    return sum(_number(each, "time_steps") * _number(each, "step_size") for each in document.each("Control"))
 
 
 def _number(control: Element, tag: str) -> float:

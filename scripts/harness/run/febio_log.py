@@ -14,6 +14,7 @@ _COUNTS = {
     "residuals": re.compile(r"Total number of right hand evaluations [ .]*: (\d+)"),
     "reformations": re.compile(r"Total number of stiffness reformations [ .]*: (\d+)"),
 }
+_FATAL = re.compile(r"FATAL ERROR:?\s*(.+)")
 _BOX = re.compile(r"^\s\*+\n((?:\s\*.*\*\n)+?)\s\*+$", re.MULTILINE)
 
 
@@ -47,7 +48,10 @@ def parse(text: str) -> Report:
         normal="N O R M A L   T E R M I N A T I O N" in text,
         retries=len(_RETRY.findall(text)),
         augmentations=len(_AUGMENTATION.findall(text)),
-        errors=(*_unique(body for title, body in boxes if title == "ERROR"), *_fatal(text)),
+        errors=(
+            *_unique(body for title, body in boxes if title == "ERROR"),
+            *_unique(map(str.strip, _FATAL.findall(text))),
+        ),
         warnings=_unique(body for title, body in boxes if title == "WARNING"),
         **_counts(text),
     )
@@ -72,10 +76,6 @@ def _boxes(text: str) -> list[tuple[str, str]]:
         if said:
             found.append((said[0], " ".join(said[1:])))
     return found
-
-
-def _fatal(text: str) -> tuple[str, ...]:
-    return _unique(match.strip() for match in re.findall(r"FATAL ERROR:?\s*(.+)", text))
 
 
 def _unique(texts: Iterable[str]) -> tuple[str, ...]:

@@ -21,8 +21,7 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.run import engine, febio_log, logdata
 
-Announce = Callable[[str, float], None]
-"""Called with the name of a model and the fraction of its time that is done."""
+Announce = Callable[[str, float], None]  # called with the name of a model and the fraction of its time that is done
 
 
 @dataclass(frozen=True)

@@ -30,8 +30,7 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 
 PAIR = "lower/upper"
-SPLIT_BAR = 1e-6
-"""Largest difference of a split body from its reference, relative to the largest value of the variable."""
+SPLIT_BAR = 1e-6  # largest difference of a split body from its reference, relative to the largest value of the variable
 
 
 @dataclass(frozen=True)

@@ -43,18 +43,15 @@ class Results:
         """Write ``validation.json`` into `folder` and return its path."""
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / FILE_NAME
-        path.write_text(json.dumps(_as_data(self), indent=1, allow_nan=False))
+        data = {
+            "format": FORMAT,
+            "interface": self.interface,
+            "checks": {name: measures_as_data(measures) for name, measures in self.checks.items()},
+            "left_out": self.left_out,
+            "profiles": [asdict(profile) for profile in self.profiles],
+        }
+        path.write_text(json.dumps(data, indent=1, allow_nan=False))
         return path
-
-
-def _as_data(results: Results) -> dict[str, Any]:
-    return {
-        "format": FORMAT,
-        "interface": results.interface,
-        "checks": {name: measures_as_data(measures) for name, measures in results.checks.items()},
-        "left_out": results.left_out,
-        "profiles": [asdict(profile) for profile in results.profiles],
-    }
 
 
 def measures_as_data(measures: Sequence[Measure]) -> list[dict[str, Any]]:
@@ -84,15 +81,11 @@ def read(path: Path) -> Results:
     if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise DataFileError(f"{path}: 'format' must be {FORMAT}; write it again with `validate`")
     try:
-        return _from_data(data)
+        checks = {name: measures_from_data(entries) for name, entries in data["checks"].items()}
+        profiles = [Profile(**entry) for entry in data["profiles"]]
+        return Results(data["interface"], checks, dict(data["left_out"]), profiles)
     except (KeyError, TypeError, AttributeError) as error:
         raise DataFileError(f"{path}: an entry is missing or unknown ({error}); `validate` writes it again") from error
-
-
-def _from_data(data: dict[str, Any]) -> Results:
-    checks = {name: measures_from_data(entries) for name, entries in data["checks"].items()}
-    profiles = [Profile(**entry) for entry in data["profiles"]]
-    return Results(data["interface"], checks, dict(data["left_out"]), profiles)
 
 
 def measures_from_data(entries: Sequence[dict[str, Any]]) -> list[Measure]:

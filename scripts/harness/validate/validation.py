@@ -11,7 +11,7 @@ from harness.indentation import histories
 from harness.post.compare import Measure
 from harness.validate import figures
 from harness.validate.checks import Check, Context, indentation_pair
-from harness.validate.results import Profile, Results
+from harness.validate.results import Results
 
 _PROFILES = {"diffusion": figures.diffusion_profiles, "convection": figures.convection_profiles}
 Finished = Callable[[Check], None]
@@ -30,7 +30,7 @@ def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finish
     def make(check: Check) -> None:
         try:
             results.checks[check.name] = check.run(context)
-            results.profiles.extend(_profiles(context, check))
+            results.profiles.extend(_PROFILES[check.name](context) if check.name in _PROFILES else ())
         except (EngineNotFoundError, PluginNotFoundError) as error:
             results.left_out[check.name] = str(error)
         except EngineFailedError as error:
@@ -53,8 +53,3 @@ def draw(context: Context, results: Results, folder: Path) -> list[Path]:
             run, _ = indentation_pair(context)
             pictures += indentation_figures.draw(run, histories.curves(run), folder)
     return pictures
-
-
-def _profiles(context: Context, check: Check) -> list[Profile]:
-    make = _PROFILES.get(check.name)
-    return make(context) if make else []

@@ -15,16 +15,12 @@ import numpy as np
 
 from harness.arrays import Array
 
-SAGITTAL, CORONAL = 30.0, 20.0
-"""Radii of a condyle's surface in its sagittal and coronal sections."""
+SAGITTAL, CORONAL = 30.0, 20.0  # radii of a condyle's surface in its sagittal and coronal sections
 BACK, FRONT, SIDE = np.deg2rad(75.0), np.deg2rad(45.0), np.deg2rad(48.0)
 """Ends of a condyle's cartilage: behind and before its lowest point, and to either side."""
-FEMORAL_CARTILAGE, TIBIAL_CARTILAGE, BONE = 2.2, 2.6, 4.0
-"""Thicknesses."""
-DEPTH = 75.0
-"""Radius of the hollow of the medial plateau, and of the lateral plateau's hill in sagittal sections."""
-PLAY = 0.05
-"""Gap between a meniscus and what is above and below it at the start."""
+FEMORAL_CARTILAGE, TIBIAL_CARTILAGE, BONE = 2.2, 2.6, 4.0  # thicknesses
+DEPTH = 75.0  # radius of the hollow of the medial plateau, and of the lateral plateau's hill in sagittal sections
+PLAY = 0.05  # gap between a meniscus and what is above and below it at the start
 
 
 @dataclass(frozen=True)
@@ -53,8 +49,7 @@ class Compartment:
 MEDIAL = Compartment("medial", -23.0, 23.0, (13.5, 21.5), 8.0, np.deg2rad(55.0), hollow=True)
 LATERAL = Compartment("lateral", 23.0, 20.0, (13.5, 17.5), 8.5, np.deg2rad(35.0), hollow=False)
 COMPARTMENTS = (MEDIAL, LATERAL)
-PLATEAU_WIDTH = 15.5
-"""Half the width of a plateau's cartilage, along x."""
+PLATEAU_WIDTH = 15.5  # half the width of a plateau's cartilage, along x
 
 
 def condyle(angle: Array, side: Array, depth: Array) -> Array:

@@ -5,14 +5,10 @@ from scipy.spatial import cKDTree
 
 from harness.arrays import Array
 
-_SIGNS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
-"""Parameters of a quadrilateral's corners."""
-_SAMPLES = 7
-"""Points along each edge at which a facet is compared."""
-_NEAREST = 5
-"""Facets among which the one below or above a point is looked for."""
-_ITERATIONS = 4
-"""Of Newton's method for the parameters of a point: facets are near to parallelograms."""
+_SIGNS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])  # parameters of a quadrilateral's corners
+_SAMPLES = 7  # points along each edge at which a facet is compared
+_NEAREST = 5  # facets among which the one below or above a point is looked for
+_ITERATIONS = 4  # of Newton's method for the parameters of a point: facets are near to parallelograms
 
 
 def smallest_gap(lower: Array, upper: Array) -> float:

@@ -10,12 +10,10 @@ from harness.models.knee import anatomy
 from harness.models.knee.anatomy import Compartment
 from harness.models.knee.clearance import smallest_gap
 
-ROUNDNESS = 0.5
-"""Of the plateau's corners: the elements there keep more than half of their angles."""
+ROUNDNESS = 0.5  # of the plateau's corners: the elements there keep more than half of their angles
 
 
-TOUCH = 1e-3
-"""Overlap with which femur and tibia touch, mm."""
+TOUCH = 1e-3  # overlap with which femur and tibia touch, mm
 
 
 def even(layers: int) -> Array:

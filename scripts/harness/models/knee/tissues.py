@@ -36,8 +36,7 @@ from harness.models.parts import (
     pressure,
 )
 
-TOE = 1.01
-"""Stretch at which all fibres are straight."""
+TOE = 1.01  # stretch at which all fibres are straight
 AROUND, ACROSS, UP = (1, 2), (1, 4), (1, 5)
 """Edges of an element along which fibres go, by their nodes: in menisci around, to the inner edge, and up."""
 

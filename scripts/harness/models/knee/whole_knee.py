@@ -45,6 +45,7 @@ class Knee:
         """The model of these choices."""
         tissues = TISSUES[self.bodies]
         made = whole_mesh.meshed(self.size, porous=tissues.porous)
+        medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
         loading = bearing.porous(self.load) if tissues.porous else bearing.loading(self.load)
         stands = tuple(replace(stand, curve=len(loading.curves)) for stand in made.stands if loading.softening)
         given = self.settings or settings_of(self.contact, tissues)
@@ -55,7 +56,7 @@ class Knee:
             header(self.name, ABOUT.format(tissues=tissues.about, load=loading.about), self.contact),
             tissues.module,
             made.mesh,
-            materials(tissues, (_across(), 0.0, made.axis)),
+            materials(tissues, (MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral, 0.0, made.axis)),
             (*loading.conditions(), *tissues.conditions),
             loading.control(),
             contacts(self.contact, made.mesh, given),
@@ -65,12 +66,6 @@ class Knee:
             node_log=False,
             further_plot=("contact force",),
         )
-
-
-def _across() -> float:
-    """Where along x the force acts, mm."""
-    medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
-    return MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral
 
 
 def settings_of(contact: InterfaceType, tissues: Tissues) -> ContactSettings:

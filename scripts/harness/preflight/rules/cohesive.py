@@ -11,10 +11,8 @@ from harness.preflight.finding import Finding, error, short, warning
 from harness.preflight.penalty import harmonic_mean, in_series, largest
 from harness.preflight.sides import TRACTION, Joint, Side
 
-FACTOR = 50.0
-"""`default_cohesive_factor` of plugin/contact/tie/tie.h."""
-LEAST_FACETS = 3.0
-"""`facets_in_cohesive_zone` of plugin/host/cohesive_zone.h."""
+FACTOR = 50.0  # `default_cohesive_factor` of plugin/contact/tie/tie.h
+LEAST_FACETS = 3.0  # `facets_in_cohesive_zone` of plugin/host/cohesive_zone.h
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,7 @@ from harness.preflight.sides import Joint
 
 DEEP = 0.25
 """Overlap over the thickness of the elements beyond which the first iteration is in danger; a press fit has less."""
-COARSER = 3.0
-"""How much larger the facets of the primary surface may be."""
+COARSER = 3.0  # how much larger the facets of the primary surface may be
 
 
 def search_radius(joint: Joint) -> Iterator[Finding]:

@@ -4,11 +4,10 @@ from collections.abc import Iterator
 
 from harness.preflight.finding import Finding, error, warning
 from harness.preflight.sides import Joint
-from harness.preflight.xml_file import Element, children, text
+from harness.preflight.xml_file import Element, as_number, children, text
 
 CONDUCTANCE, PERMEANCE, REFLECTION = "hydraulic_conductance", "solute_permeance", "reflection"
-PENALTIES = {CONDUCTANCE: "pressure_penalty", PERMEANCE: "concentration_penalty"}
-"""What a membrane takes the place of."""
+PENALTIES = {CONDUCTANCE: "pressure_penalty", PERMEANCE: "concentration_penalty"}  # what a membrane takes the place of
 
 
 def by_solute(joint: Joint, name: str) -> dict[int, Element]:
@@ -36,7 +35,7 @@ def carried_by_nothing(joint: Joint) -> Iterator[Finding]:
     if joint.contact.given(CONDUCTANCE) is not None or joint.contact.lacks("pressure_penalty"):
         return
     for number, tag in by_solute(joint, REFLECTION).items():
-        if _number(tag) < 1.0:
+        if as_number(text(tag)) < 1.0:
             yield error(
                 "membrane",
                 tag,
@@ -59,13 +58,6 @@ def penalty_beside_membrane(joint: Joint) -> Iterator[Finding]:
                 f"<{penalty}> has no effect: <{name}> decides the flux",
                 f"Delete <{penalty}>.",
             )
-
-
-def _number(tag: Element) -> float:
-    try:
-        return float(text(tag))
-    except ValueError:
-        return 1.0  # which another rule says
 
 
 RULES = (half_a_membrane, carried_by_nothing, penalty_beside_membrane)

@@ -12,10 +12,8 @@ from harness.preflight.xml_file import Element, children, chosen, flag, text
 
 AXES = ("x", "y", "z")
 ANALYSES = ("STATIC", "DYNAMIC")
-SMALL = 1e-6
-"""Singular value, relative to the largest, that counts as zero."""
-MOST_ROWS = 3000
-"""So many nodes of a set are looked at."""
+SMALL = 1e-6  # singular value, relative to the largest, that counts as zero
+MOST_ROWS = 3000  # so many nodes of a set are looked at
 _NOT_MECHANICAL = ("pressure", "concentration", "temperature", "shell", "fluid")
 _RIGID_DOFS = ("Rx", "Ry", "Rz", "Ru", "Rv", "Rw")
 

@@ -9,33 +9,24 @@ from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
 from harness.preflight.plugin_types import PLUGIN_TYPES
 from harness.preflight.sides import Joint
-from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chosen, place, text
+from harness.preflight.xml_file import WITHOUT_CONTENT, Element, as_number, children, chosen, place, text
 
 NOT_NEGATIVE = "zero or a positive number"
 COUNT, SWITCH, NUMBER = "zero or a positive whole number", "0 or 1", "a number"
 FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
 _OF_MIXTURE = PLUGIN_TYPES[MIXTURE]
 CHOICES = {parameter.name: parameter.choices for parameter in _OF_MIXTURE if parameter.choices}
-OWN_CHOICES = METHODS[-1:]
-"""Last of their list, and not in FEBio's sliding interfaces."""
+OWN_CHOICES = METHODS[-1:]  # last of their list, and not in FEBio's sliding interfaces
+_OF_KIND = {"switch": SWITCH, "integer": COUNT, "number": NOT_NEGATIVE, "values per solute": NOT_NEGATIVE}
 ALLOWED = {
-    **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
-    **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
-    **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), NOT_NEGATIVE),
-    **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
-    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
-    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
-    **dict.fromkeys(("tension", "flip_primary", "flip_secondary", "smooth_aug", "smooth_fls"), SWITCH),
-    **dict.fromkeys(("shell_bottom_primary", "shell_bottom_secondary"), SWITCH),
-    "ambient_pressure": NUMBER,
-    "offset": NUMBER,
-    "contact_frac": FRACTION,
-    "tangential_penalty": POSITIVE,
-    **dict.fromkeys(("ambient_concentration", "hydraulic_conductance", "solute_permeance"), NOT_NEGATIVE),
-    "reflection": FRACTION,
+    **{each.name: _OF_KIND[each.kind] for own in PLUGIN_TYPES.values() for each in own if each.kind in _OF_KIND},
+    **dict.fromkeys(("ambient_pressure", "offset"), NUMBER),
+    **dict.fromkeys(("contact_frac", "reflection"), FRACTION),
     **dict.fromkeys(("max_traction", "max_shear", "fracture_energy", "fracture_energy_shear"), POSITIVE),
+    "tangential_penalty": POSITIVE,
+    **dict.fromkeys(("knmult", "extrapolation", "mixing", "viscosity"), ""),
 }
-"""What each parameter may be, in words; the others may be anything."""
+"""What each parameter may be, in words; the others, and those without words, may be anything."""
 UNLIMITED = ("gaptol", "ptol", "ctol")
 """Tolerances of FEBio's types that hold nothing where they are negative, which is a default of its tied ones."""
 LEFT_OUT = {
@@ -57,10 +48,8 @@ NEVER_NEGATIVE = {
 PER_SOLUTE = tuple(parameter.name for parameter in _OF_MIXTURE if parameter.kind == "values per solute")
 """Parameters that are given once for each solute."""
 FEW_REFORMATIONS = 15
-SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
-"""FEBio's linear solvers for symmetric matrices alone."""
-ITERATIVE_SOLVERS = ("fgmres", "bicgstab", "hypre_gmres", "boomeramg")
-"""Those that need a diagonal without zeros."""
+SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")  # FEBio's linear solvers for symmetric matrices alone
+ITERATIVE_SOLVERS = ("fgmres", "bicgstab", "hypre_gmres", "boomeramg")  # those that need a diagonal without zeros
 
 
 def unknown_parameter(joint: Joint) -> Iterator[Finding]:
@@ -101,7 +90,7 @@ def bad_value(joint: Joint) -> Iterator[Finding]:
         elif allowed == SWITCH and text(tag).lower() == "true":
             yield warning("switch", tag, f"<{name}> is '{text(tag)}', which FEBio reads as 0", "Write 1, or 0.")
     least, most = (joint.contact.given(name) for name in ("minaug", "maxaug"))
-    if most is not None and _number(most) < (0.0 if least is None else _number(least)):
+    if most is not None and as_number(text(most)) < (0.0 if least is None else as_number(text(least))):
         yield error("bad-value", most, "<maxaug> is less than <minaug>", "Raise <maxaug> or lower <minaug>.")
 
 
@@ -115,7 +104,7 @@ def _allowed(name: str, strict: bool) -> str:
 
 
 def _fits(tag: Element, name: str, allowed: str) -> bool:
-    value = _number(tag)
+    value = as_number(text(tag))
     if name in CHOICES:
         return chosen(text(tag), allowed.split(" or ")) is not None
     if allowed == SWITCH:
@@ -128,13 +117,6 @@ def _fits(tag: Element, name: str, allowed: str) -> bool:
 def _in_bounds(value: float, allowed: str) -> bool:
     """Whether zero or a positive number keeps a further bound, if there is one."""
     return value <= 1.0 if allowed == FRACTION else value > 0.0 if allowed == POSITIVE else True
-
-
-def _number(tag: Element) -> float:
-    try:
-        return float(text(tag))
-    except ValueError:
-        return math.nan
 
 
 def left_out(joint: Joint) -> Iterator[Finding]:
@@ -271,7 +253,7 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
 def negative_in_time(joint: Joint) -> Iterator[Finding]:
     """Values that are never negative and that a load curve takes below zero."""
     for tag in (tag for name in NEVER_NEGATIVE for tag in children(joint.contact.tag, name)):
-        if tag.get("lc") in joint.model.curves and _number(tag) >= 0.0:
+        if tag.get("lc") in joint.model.curves and as_number(text(tag)) >= 0.0:
             least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
             if least < 0.0:
                 yield error(
@@ -311,7 +293,7 @@ def no_duration(joint: Joint) -> Iterator[Finding]:
     """Analysis steps that end as they begin."""
     for control in joint.model.controls:
         found = control.find("step_size")
-        if found is not None and not _number(found) > 0.0:
+        if found is not None and not as_number(text(found)) > 0.0:
             yield error(
                 "time-step",
                 found,
@@ -368,18 +350,15 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     if not joint.contact.kind.is_mixture:
         return
     has_multipliers = joint.contact.method == METHODS.index("LAGMULT")
-    for control in joint.model.controls:
-        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
-            kind = str(tag.get("type"))
-            if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
-                why = "solves symmetric matrices only, and the matrix of this contact is not symmetric"
-            elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
-                why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
-            else:
-                continue
-            yield warning(
-                "linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso, mkl_dss or superlu_mt."
-            )
+    for tag in joint.model.of_solvers("linear_solver"):
+        kind = str(tag.get("type"))
+        if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
+            why = "solves symmetric matrices only, and the matrix of this contact is not symmetric"
+        elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
+            why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
+        else:
+            continue
+        yield warning("linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso, mkl_dss or superlu_mt.")
 
 
 def reformations(joint: Joint) -> Iterator[Finding]:
@@ -387,7 +366,7 @@ def reformations(joint: Joint) -> Iterator[Finding]:
     for control in joint.model.controls:
         for solver in children(control, "solver"):
             found = solver.find("max_refs")
-            if found is not None and 0.0 < _number(found) < FEW_REFORMATIONS:
+            if found is not None and 0.0 < as_number(text(found)) < FEW_REFORMATIONS:
                 yield note(
                     "max-refs",
                     found,

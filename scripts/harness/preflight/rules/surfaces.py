@@ -13,8 +13,7 @@ from harness.preflight.sides import Joint, Side, sample
 
 SHARP = np.cos(np.radians(60.0))
 """Cosine of the angle between the normals of neighbouring facets from which the edge between them is sharp."""
-OPPOSED = 0.1
-"""Minus the cosine of the angle between the normals of two facets from which they can touch each other."""
+OPPOSED = 0.1  # minus the cosine of the angle between the normals of two facets from which they can touch each other
 
 
 def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
@@ -217,8 +216,7 @@ def _sees(side: Side, other: Side) -> tuple[Ids, Mask]:
     """Some facets of a side, and which of them have a facet of the other side in front, or behind in overlap."""
     targets = rays.triangles(other.corners)
     pick = sample(len(side.centres), len(targets))
-    hits = side.look_at(targets, side.centres[pick], side.normals[pick])
-    return pick, np.asarray(hits.triangle >= 0)
+    return pick, np.isfinite(side.look_at(targets, side.centres[pick], side.normals[pick]))
 
 
 def _opposed(one: Side, two: Side) -> bool:

@@ -13,11 +13,9 @@ from harness.preflight.model import METHODS
 from harness.preflight.rules import cohesive, settings, surfaces
 from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
-from harness.preflight.xml_file import children
 
 ITERATIVE = (*settings.ITERATIVE_SOLVERS, "cg", "hypre_pcg_amg")
-AHEAD = 0.25
-"""How far ahead a facet of tied-mixture looks by default, in its longest edge."""
+AHEAD = 0.25  # how far ahead a facet of tied-mixture looks by default, in its longest edge
 
 
 def joined_facets(joint: Joint) -> Iterator[Finding]:
@@ -85,7 +83,7 @@ def _gaps_and_limits(joint: Joint) -> tuple[Array, Array]:
     """Gaps at the centres of facets of the primary surface, and how large they may be; NaN where one sees nothing."""
     side, targets = joint.primary, rays.triangles(joint.secondary.facing_corners)
     pick = sample(len(side.centres), len(targets))
-    gaps = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
+    gaps = side.look_at(targets, side.centres[pick], side.normals[pick])
     ours = joint.contact.kind.name == TIED
     given = joint.contact.value("search_radius", 0.0 if ours else DEFAULT_RADIUS)
     if joint.contact.kind.name in ANY_DISTANCE:
@@ -147,15 +145,14 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     why = (
         "<laugon>LAGMULT</laugon> makes the matrix indefinite" if has_multipliers else "the automatic penalty is stiff"
     )
-    for control in joint.model.controls:
-        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
-            if tag.get("type") in ITERATIVE:
-                yield warning(
-                    "linear-solver",
-                    tag,
-                    f"the linear solver '{tag.get('type')}' may find no solution: {why}",
-                    "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
-                )
+    for tag in joint.model.of_solvers("linear_solver"):
+        if tag.get("type") in ITERATIVE:
+            yield warning(
+                "linear-solver",
+                tag,
+                f"the linear solver '{tag.get('type')}' may find no solution: {why}",
+                "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
+            )
 
 
 ON_TEXT = (
