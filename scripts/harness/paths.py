@@ -28,9 +28,6 @@ RESULTS = _OUTPUT / "results"
 
 
 def plugin_library() -> Path:
-    """Path of the plugin library: ``$MIXCONTACT_PLUGIN`` if set, else the one a build leaves in build/lib.
-
-    Returns: where the library is expected; it need not exist.
-    """
+    """Where the plugin is expected: ``$MIXCONTACT_PLUGIN`` if set, else what a build leaves in build/lib."""
     chosen = os.environ.get(PLUGIN_VARIABLE)
     return Path(chosen) if chosen else REPOSITORY / "build" / "lib" / PLUGIN_NAME

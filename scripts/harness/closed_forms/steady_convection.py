@@ -11,15 +11,6 @@ from numpy.typing import ArrayLike
 from harness.arrays import Array
 
 
-def peclet(*, pressure_drop: float, permeability: float, diffusivity: float, porosity: float) -> float:
-    """Pe = h w0/(d phi_w) with w0 = k (p_u - p_d)/h; the thickness h cancels.
-
-    pressure_drop: p_u - p_d, fluid pressure, MPa.
-    permeability, diffusivity, porosity: k (mm^4/(N s)), d (mm^2/s), phi_w. Darcy's law in this form needs d = d0.
-    """
-    return permeability * pressure_drop / (diffusivity * porosity)
-
-
 def concentration(
     z: ArrayLike, *, height: float, peclet: float, upstream: float = 1.0, downstream: float = 0.0
 ) -> Array:

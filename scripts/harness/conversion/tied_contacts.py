@@ -7,7 +7,7 @@ import numpy as np
 from harness.conversion import spans
 from harness.conversion.fates import NO_DIFFERENCE, Action, Change, Changes, additions
 from harness.preflight.byte_spans import Span
-from harness.preflight.contact_types import ANY_DISTANCE, STICKY, keeps_gaps
+from harness.preflight.contact_types import ANY_DISTANCE, STICKY
 from harness.preflight.sides import SIDES, Joint
 from harness.preflight.xml_file import as_number
 
@@ -81,7 +81,8 @@ def parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
 def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
     """What becomes of a gap that FEBio's type would close under stress."""
     kind, tie = joint.contact.kind, joint.contact
-    if keeps_gaps(kind, has_offset=tie.on("gap_offset")) or tie.on("node_reloc"):
+    keeps_gap = kind.name not in ANY_DISTANCE or (kind.name == "tied-facet-on-facet" and tie.on("gap_offset"))
+    if keeps_gap or tie.on("node_reloc"):
         return
     apart = joint.largest_gap
     if apart > _touching(joint):

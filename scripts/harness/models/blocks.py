@@ -27,10 +27,7 @@ class Body:
 
 
 def structured(points: Points) -> Body:
-    """One block.
-
-    points: shape (n_i + 1, n_j + 1, n_k + 1, 3), its nodes, mm; a left-handed block is turned over.
-    """
+    """One block of nodes (mm), shape (n_i + 1, n_j + 1, n_k + 1, 3); a left-handed one is turned over."""
     if _is_left_handed(points):
         points = points[:, :, ::-1]
     number = np.arange(points[..., 0].size, dtype=np.int64).reshape(points.shape[:3])

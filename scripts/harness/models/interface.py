@@ -134,12 +134,7 @@ permeability in mm^4/(N s) and diffusivity in mm^2/s. The gas constant is R = 8.
 
 
 def header(name: str, about: str, interface: InterfaceType) -> str:
-    """What the model shows, its units, and the command that runs it.
-
-    name: stem of the file.
-    about: what it shows, one or more paragraphs.
-    interface: decides whether the command loads the plugin.
-    """
+    """What the model shows, its units, and the command that runs it, with the plugin where the interface needs it."""
     load = " -import build/lib/libFEBioMixtureContact.so" if interface.needs_plugin else ""
     run = f"Commands: scripts/mixcontact run models/{name}.feb\nor        febio4 -i models/{name}.feb{load}"
     return f"{about}\n\n{UNITS}\n\n{run}"

@@ -95,11 +95,7 @@ class Geometry:
 
 
 def geometry(positions: Array, elements: Ids) -> Geometry:
-    """Elements at given positions of their nodes.
-
-    positions: shape (n_nodes, 3), mm.
-    elements: shape (n_elements, 8 or 20), node numbers from 0.
-    """
+    """Elements, shape (n_elements, 8 or 20), nodes from 0, at positions of all nodes (mm), shape (n_nodes, 3)."""
     used = rule(elements.shape[1])
     jacobian = np.einsum("eai,qaj->eqij", positions[elements], used.slopes)
     gradients = np.einsum("qaj,eqji->eqai", used.slopes, np.linalg.inv(jacobian))

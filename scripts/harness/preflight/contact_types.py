@@ -137,11 +137,3 @@ CONVERTIBLE_TIES = tuple(name for name in TIED_TYPES if name != TIED)
 """The types of FEBio's that `tied-mixture` takes the place of."""
 ANY_DISTANCE = ("tied-node-on-facet", "tied-facet-on-facet", STICKY)
 """The types that look for the closest point, at any distance where none is given."""
-
-
-def keeps_gaps(kind: ContactType, *, has_offset: bool) -> bool:
-    """Whether a type of FEBio's leaves an initial gap as it is; the others draw the surfaces together.
-
-    `has_offset`: <gap_offset> is on.
-    """
-    return kind.name not in ANY_DISTANCE or (kind.name == "tied-facet-on-facet" and has_offset)

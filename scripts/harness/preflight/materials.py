@@ -56,10 +56,7 @@ class Material:
 
 
 def read(document: Document, solutes: Mapping[str, int]) -> dict[str, Material]:
-    """The materials, by their names.
-
-    solutes: numbers of the model's solutes, by number and name as in the file.
-    """
+    """The materials, by their names; `solutes` are numbers of solutes, by number and name as in the file."""
     return {attribute(tag, "name"): _material(tag, solutes) for tag in document.all("Material", "material")}
 
 

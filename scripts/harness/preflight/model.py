@@ -169,21 +169,21 @@ class Model:
     @cached_property
     def boundary(self) -> tuple[Condition, ...]:
         """Boundary conditions."""
-        return tuple(self._conditions("Boundary", "bc"))
+        return self._conditions("Boundary", "bc")
 
     @cached_property
     def initial(self) -> tuple[Condition, ...]:
         """Initial conditions."""
-        return tuple(self._conditions("Initial", "ic"))
+        return self._conditions("Initial", "ic")
 
     @cached_property
     def loads(self) -> tuple[Condition, ...]:
         """Loads of all kinds."""
-        return tuple(self._conditions("Loads", None))
+        return self._conditions("Loads", None)
 
-    def _conditions(self, section: str, tag: str | None) -> Iterator[Condition]:
-        for step, found in self.document.everywhere(section, tag):
-            yield Condition(str(found.get("type")), step, found)
+    def _conditions(self, section: str, tag: str | None) -> tuple[Condition, ...]:
+        found = self.document.everywhere(section, tag)
+        return tuple(Condition(str(each.get("type")), step, each) for step, each in found)
 
     @cached_property
     def curves(self) -> Mapping[str, Array]:

@@ -67,12 +67,6 @@ def leak(joint: Joint, field: Field, value: float) -> float:
     return 1.0 if value == 0.0 else relative_jump((resistance,), value)
 
 
-def penalty_for(joint: Joint, field: Field, wanted: float) -> float:
-    """The penalty with which the leak is `wanted`."""
-    resistance = joint.primary.resistance(field) + joint.secondary.resistance(field)
-    return (1.0 / wanted - 1.0) / resistance
-
-
 def harmonic_mean(values: Array) -> float:
     """Of the positive values; infinite ones are no resistance. NaN without any."""
     positive = values[values > 0.0]

@@ -82,7 +82,7 @@ def _fluid_share(state: State, surface: Surface, loaded_areas: Array, normal_for
         values = state.in_domains.get(name)
         if values is None or normal_force <= 0:
             continue
-        at_facets = surface.mean_of_nodes(values)[:, 0]
+        at_facets = np.array([values[facet].mean(axis=0) for facet in surface.facets])[:, 0]
         if np.isfinite(at_facets).all():
             return float(at_facets @ loaded_areas / normal_force)
     return float("nan")

@@ -91,7 +91,3 @@ class Surface:
         if len(values) == 1:
             return np.repeat(values, len(counts), axis=0)
         raise ValueError(f"{len(values)} values on {len(counts)} facets with {len(self.nodes)} nodes")
-
-    def mean_of_nodes(self, values: Array) -> Array:
-        """Means over the nodes of each facet, shape (facets, components), of values at all nodes of the mesh."""
-        return np.array([values[facet].mean(axis=0) for facet in self.facets])

@@ -25,11 +25,7 @@ def mesh_of(surface: Surface, positions: Array) -> pyvista.PolyData:
 
 
 def write_surfaces(plot: PlotFile, contacts: Sequence[Contact], number: int, folder: Path) -> list[Path]:
-    """Write one file per surface, deformed, with the variables that the plot file has on it as means of facets.
-
-    contacts: surfaces to write.
-    number: the state, from 0.
-    """
+    """Write one file per surface at a state, deformed, with the variables of the plot file on it as means of facets."""
     state, files = plot.states[number], []
     for index, contact in enumerate(contacts):
         surface = contact.surface

@@ -39,9 +39,7 @@ class Report:
 def parse(text: str) -> Report:
     """Read the log, or the screen output, of a run.
 
-    text: the whole text.
-    Returns: where there is no summary (a run that was killed, a model that was never read) the counts are those that
-        can be counted, or 0.
+    Without a summary (a run that was killed, a model that was never read), the counts are those of what is there, or 0.
     """
     boxes = _boxes(text)
     return Report(

@@ -47,10 +47,7 @@ def _profile(figure: str, parameter: float, run: RunResult, c: Array) -> Profile
 
 
 def draw(profiles: Sequence[Profile], folder: Path) -> list[Path]:
-    """Draw both figures; the lines stand there even where no simulation was run.
-
-    folder: where the PNG files go; made where needed.
-    """
+    """Draw both figures into a folder, which is made where needed; the lines need no simulation."""
     folder.mkdir(parents=True, exist_ok=True)
     return [_draw(name, profiles, folder / f"{name}.png") for name in _FIGURES]
 

@@ -20,12 +20,8 @@ def without_effect(joint: Joint) -> Iterator[Finding]:
     for name in ("ambient_pressure", "ambient_concentration"):
         tag = joint.contact.given(name)
         if tag is not None and not joint.contact.drains:
-            yield note(
-                "not-drained",
-                tag,
-                f"<{name}> has no effect: <free_draining> is 0",
-                f"Delete <{name}>, or set <free_draining> to 1.",
-            )
+            seen = f"<{name}> has no effect: <free_draining> is 0"
+            yield note("not-drained", tag, seen, f"Delete <{name}>, or set <free_draining> to 1.")
 
 
 def ambient(joint: Joint) -> Iterator[Finding]:

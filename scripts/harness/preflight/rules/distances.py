@@ -62,13 +62,11 @@ def finer_primary(joint: Joint) -> Iterator[Finding]:
         return
     one, two = (math.sqrt(float(np.median(side.area))) for side in joint.sides)
     if two > 0.0 and one > COARSER * two and not joint.primary.rigid:
-        yield note(
-            "finer-primary",
-            joint.contact.pair.tag,
+        seen = (
             f"facets of the primary surface are {short(one / two)} times as wide as those of the secondary one: "
-            "the contact resolves its edge to one facet of the primary surface",
-            "Exchange <primary> and <secondary>.",
+            "the contact resolves its edge to one facet of the primary surface"
         )
+        yield note("finer-primary", joint.contact.pair.tag, seen, "Exchange <primary> and <secondary>.")
 
 
 RULES = (search_radius, initial_overlap, finer_primary)

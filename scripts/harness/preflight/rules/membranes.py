@@ -22,12 +22,8 @@ def half_a_membrane(joint: Joint) -> Iterator[Finding]:
     """A solute that has a permeance without a reflection, or a reflection without a permeance."""
     for one, other in ((PERMEANCE, REFLECTION), (REFLECTION, PERMEANCE)):
         for number in by_solute(joint, one).keys() - by_solute(joint, other).keys():
-            yield error(
-                "membrane",
-                by_solute(joint, one)[number],
-                f"<{one}> is given for solute {number}, and <{other}> is not; a membrane needs both parameters",
-                f'Give <{other} sol="{number}">, too.',
-            )
+            seen = f"<{one}> is given for solute {number}, and <{other}> is not; a membrane needs both parameters"
+            yield error("membrane", by_solute(joint, one)[number], seen, f'Give <{other} sol="{number}">, too.')
 
 
 def carried_by_nothing(joint: Joint) -> Iterator[Finding]:
@@ -36,13 +32,11 @@ def carried_by_nothing(joint: Joint) -> Iterator[Finding]:
         return
     for number, tag in by_solute(joint, REFLECTION).items():
         if as_number(text(tag)) < 1.0:
-            yield error(
-                "membrane",
-                tag,
+            seen = (
                 f"<{REFLECTION}> of solute {number} is below 1, and <{CONDUCTANCE}> is not given: solvent that "
-                "carries the solute crosses the membrane too",
-                f"Give <{CONDUCTANCE}>, or a reflection of 1.",
+                "carries the solute crosses the membrane too"
             )
+            yield error("membrane", tag, seen, f"Give <{CONDUCTANCE}>, or a reflection of 1.")
 
 
 def penalty_beside_membrane(joint: Joint) -> Iterator[Finding]:
@@ -52,12 +46,8 @@ def penalty_beside_membrane(joint: Joint) -> Iterator[Finding]:
         films = by_solute(joint, name) if name == PERMEANCE else joint.contact.given(name)
         every = name == CONDUCTANCE or (films and len(films) == len(joint.model.solute_numbers))
         if given is not None and films is not None and every:
-            yield warning(
-                "membrane",
-                given,
-                f"<{penalty}> has no effect: <{name}> decides the flux",
-                f"Delete <{penalty}>.",
-            )
+            seen = f"<{penalty}> has no effect: <{name}> decides the flux"
+            yield warning("membrane", given, seen, f"Delete <{penalty}>.")
 
 
 RULES = (half_a_membrane, carried_by_nothing, penalty_beside_membrane)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from harness.preflight.finding import Finding, error, note, percent, short, warning
-from harness.preflight.penalty import Penalty, leak, penalty, penalty_for
+from harness.preflight.penalty import Penalty, leak, penalty
 from harness.preflight.sides import TRACTION, Field, Joint
 
 LARGEST_LEAK = 0.01  # jump over the difference across both bodies that passes without a word
@@ -52,7 +52,7 @@ def _local(field: Field) -> str:
 
 
 def _stiffer(joint: Joint, field: Field, own: Penalty) -> str:
-    enough = penalty_for(joint, field, GOOD_LEAK)
+    enough = (1.0 / GOOD_LEAK - 1.0) / sum(side.resistance(field) for side in joint.sides)
     relative = own.factor and own.local > 0.0
     value = f"{short(enough / own.local)}, times the local {_local(field)}" if relative else short(enough)
     if joint.contact.kind.is_mixture:

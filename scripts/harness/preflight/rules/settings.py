@@ -60,24 +60,17 @@ def unknown_parameter(joint: Joint) -> Iterator[Finding]:
         if name in known:
             continue
         near = [RENAMED[name]] if name in RENAMED else difflib.get_close_matches(name, known, 1)
-        yield error(
-            "unknown-parameter",
-            tag,
-            f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops",
-            f"Write <{near[0]}>, if that is meant." if near else "Delete it. The documentation lists the parameters.",
-        )
+        seen = f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops"
+        cure = f"Write <{near[0]}>, if that is meant." if near else "Delete it. The documentation lists the parameters."
+        yield error("unknown-parameter", tag, seen, cure)
 
 
 def empty_contact(joint: Joint) -> Iterator[Finding]:
     """Contacts without parameters that FEBio cannot read."""
     tag = joint.contact.tag
     if tag.get(WITHOUT_CONTENT):
-        yield error(
-            "empty-contact",
-            tag,
-            "FEBio cannot read a contact that is written with two tags and has no parameter between them",
-            "Write one tag that ends with />, or give a parameter.",
-        )
+        seen = "FEBio cannot read a contact that is written with two tags and has no parameter between them"
+        yield error("empty-contact", tag, seen, "Write one tag that ends with />, or give a parameter.")
 
 
 def bad_value(joint: Joint) -> Iterator[Finding]:
@@ -126,12 +119,8 @@ def left_out(joint: Joint) -> Iterator[Finding]:
     for name, what in LEFT_OUT.items():
         tag = joint.contact.given(name)
         if tag is not None and joint.contact.lacks(name):
-            yield note(
-                "left-out",
-                tag,
-                f"<{name}> is 0, which leaves {what} out",
-                f"Delete <{name}> for an automatic value.",
-            )
+            seen = f"<{name}> is 0, which leaves {what} out"
+            yield note("left-out", tag, seen, f"Delete <{name}> for an automatic value.")
 
 
 def load_curve(joint: Joint) -> Iterator[Finding]:
@@ -172,19 +161,11 @@ def module(joint: Joint) -> Iterator[Finding]:
     kind, own = joint.contact.kind, joint.model.module
     tag = next(joint.model.document.all("Module"))
     if own not in MODULES:
-        yield warning(
-            "module",
-            tag,
-            f"'{own}' is not a module of FEBio 4.11: FEBio stops without a plugin that provides it",
-            f"Use one of {', '.join(kind.modules)}.",
-        )
+        seen = f"'{own}' is not a module of FEBio 4.11: FEBio stops without a plugin that provides it"
+        yield warning("module", tag, seen, f"Use one of {', '.join(kind.modules)}.")
     elif "solid" not in MODULES[own]:
-        yield error(
-            "module",
-            tag,
-            f"module '{own}' has no displacements, and contact has no effect",
-            f"Use one of {', '.join(kind.modules)}.",
-        )
+        seen = f"module '{own}' has no displacements, and contact has no effect"
+        yield error("module", tag, seen, f"Use one of {', '.join(kind.modules)}.")
     elif own not in kind.modules:
         yield error(
             "module",
@@ -200,12 +181,8 @@ def material(joint: Joint) -> Iterator[Finding]:
     for side in joint.sides:
         lost = [k for k, m in enumerate(side.materials) if m is None and side.found[k]]
         if lost:
-            yield error(
-                "no-material",
-                side.surface.tag,
-                f"the elements behind surface '{side.surface.name}' have no material",
-                "Name their part and material in <MeshDomains>.",
-            )
+            seen = f"the elements behind surface '{side.surface.name}' have no material"
+            yield error("no-material", side.surface.tag, seen, "Name their part and material in <MeshDomains>.")
 
 
 def not_exchanged(joint: Joint) -> Iterator[Finding]:
@@ -213,12 +190,8 @@ def not_exchanged(joint: Joint) -> Iterator[Finding]:
     kind = joint.contact.kind
     if not kind.solvent and all(side.porous for side in joint.sides):
         what = "fluid and solutes" if joint.primary.solutes & joint.secondary.solutes else "fluid"
-        yield note(
-            "impermeable",
-            joint.contact.tag,
-            f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are impermeable",
-            "Use sliding-mixture if the bodies shall exchange it.",
-        )
+        seen = f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are impermeable"
+        yield note("impermeable", joint.contact.tag, seen, "Use sliding-mixture if the bodies shall exchange it.")
     elif kind.solvent and not kind.solutes and joint.primary.solutes & joint.secondary.solutes:
         yield note(
             "impermeable",
@@ -235,19 +208,11 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
         named = tag.get("sol")
         there = ", ".join(map(str, model.solute_numbers)) or "none"
         if named is not None and named not in model.solutes:
-            yield error(
-                "ambient-solute",
-                tag,
-                f"<{tag.tag}> is for solute {named}, which the model does not have; there is {there}",
-                "Correct the attribute sol.",
-            )
+            seen = f"<{tag.tag}> is for solute {named}, which the model does not have; there is {there}"
+            yield error("ambient-solute", tag, seen, "Correct the attribute sol.")
         elif named is None and joint.contact.kind.is_mixture and len(model.solute_numbers) != 1:
-            yield error(
-                "ambient-solute",
-                tag,
-                f"<{tag.tag}> does not name its solute; there is {there}",
-                f'Write one <{tag.tag} sol="..."> for each solute.',
-            )
+            seen = f"<{tag.tag}> does not name its solute; there is {there}"
+            yield error("ambient-solute", tag, seen, f'Write one <{tag.tag} sol="..."> for each solute.')
 
 
 def negative_in_time(joint: Joint) -> Iterator[Finding]:
@@ -256,13 +221,11 @@ def negative_in_time(joint: Joint) -> Iterator[Finding]:
         if tag.get("lc") in joint.model.curves and as_number(text(tag)) >= 0.0:
             least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
             if least < 0.0:
-                yield error(
-                    "bad-value",
-                    tag,
+                seen = (
                     f"<{tag.tag}> times its load curve falls to {short(least)}; {NEVER_NEGATIVE[str(tag.tag)]} is "
-                    "never negative",
-                    "Correct the load curve.",
+                    "never negative"
                 )
+                yield error("bad-value", tag, seen, "Correct the load curve.")
 
 
 def given_twice(joint: Joint) -> Iterator[Finding]:
@@ -271,12 +234,8 @@ def given_twice(joint: Joint) -> Iterator[Finding]:
     for tag in children(joint.contact.tag):
         key = (str(tag.tag), _solute_meant(joint, tag))
         if key in first:
-            yield error(
-                "given-twice",
-                tag,
-                f"<{tag.tag}>{key[1]} is given twice, first in line {place(first[key]).line}; one has no effect",
-                "Delete one of them.",
-            )
+            seen = f"<{tag.tag}>{key[1]} is given twice, first in line {place(first[key]).line}; one has no effect"
+            yield error("given-twice", tag, seen, "Delete one of them.")
         first.setdefault(key, tag)
 
 
@@ -294,12 +253,8 @@ def no_duration(joint: Joint) -> Iterator[Finding]:
     for control in joint.model.controls:
         found = control.find("step_size")
         if found is not None and not as_number(text(found)) > 0.0:
-            yield error(
-                "time-step",
-                found,
-                f"<step_size> is '{text(found)[:40]}': the analysis step has no duration without a positive number",
-                "Give a positive number.",
-            )
+            seen = f"<step_size> is '{text(found)[:40]}': the analysis step has no duration without a positive number"
+            yield error("time-step", found, seen, "Give a positive number.")
 
 
 def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
@@ -337,12 +292,8 @@ def without_friction(joint: Joint) -> Iterator[Finding]:
     for name in ("contact_frac", "smooth_fls", "fric_penalty", "tangential_penalty"):
         tag = joint.contact.given(name)
         if tag is not None and name in joint.contact.kind.parameters and not joint.contact.has_friction:
-            yield note(
-                "no-friction",
-                tag,
-                f"<{name}> has no effect: this contact has no friction",
-                "Give <fric_coeff>, or delete it.",
-            )
+            seen = f"<{name}> has no effect: this contact has no friction"
+            yield note("no-friction", tag, seen, "Give <fric_coeff>, or delete it.")
 
 
 def linear_solver(joint: Joint) -> Iterator[Finding]:
@@ -367,12 +318,8 @@ def reformations(joint: Joint) -> Iterator[Finding]:
         for solver in children(control, "solver"):
             found = solver.find("max_refs")
             if found is not None and 0.0 < as_number(text(found)) < FEW_REFORMATIONS:
-                yield note(
-                    "max-refs",
-                    found,
-                    f"<max_refs> is {text(found)}: a moving edge of contact may need more",
-                    "Set it to 25.",
-                )
+                seen = f"<max_refs> is {text(found)}: a moving edge of contact may need more"
+                yield note("max-refs", found, seen, "Set it to 25.")
 
 
 RULES = (

@@ -22,13 +22,11 @@ def joined_facets(joint: Joint) -> Iterator[Finding]:
     """Surfaces that have facets in common."""
     one, two = ({tuple(sorted(set(row))) for row in side.surface.corners.tolist()} for side in joint.sides)
     if one & two:
-        yield error(
-            "shared-facets",
-            joint.contact.pair.tag,
+        seen = (
             f"surfaces '{joint.contact.pair.primary.name}' and '{joint.contact.pair.secondary.name}' have "
-            f"{len(one & two)} facets in common, which are already joined",
-            "Name the surface of the other body.",
+            f"{len(one & two)} facets in common, which are already joined"
         )
+        yield error("shared-facets", joint.contact.pair.tag, seen, "Name the surface of the other body.")
 
 
 def turned_away(joint: Joint) -> Iterator[Finding]:
@@ -38,14 +36,12 @@ def turned_away(joint: Joint) -> Iterator[Finding]:
     turned = joint.facing().turned
     if turned:
         flips = " and ".join(f"<flip_{name}>1</flip_{name}>" for name in turned)
-        yield error(
-            "untied",
-            joint.contact.pair.tag,
+        seen = (
             f"no facet of surface '{joint.contact.pair.primary.name}' has surface "
             f"'{joint.contact.pair.secondary.name}' opposite it: the surfaces on shells face away from each other, "
-            "and nothing is tied",
-            f"Set {flips}.",
+            "and nothing is tied"
         )
+        yield error("untied", joint.contact.pair.tag, seen, f"Set {flips}.")
 
 
 def untied(joint: Joint) -> Iterator[Finding]:
@@ -112,13 +108,11 @@ def held_nodes(joint: Joint) -> Iterator[Finding]:
     shared = [np.intersect1d(own, other.pair.primary.corners) for other in others]
     count = len(np.unique(np.concatenate(shared))) if shared else 0
     if count and contact.method == METHODS.index("LAGMULT"):
-        yield warning(
-            "held-twice",
-            contact.pair.tag,
+        seen = (
             f"{count} nodes of the primary surface belong to another tie too. Both ties hold them, and the shares of "
-            "their multipliers in the load are arbitrary",
-            "Make one surface of both, or use PENALTY or AUGLAG.",
+            "their multipliers in the load are arbitrary"
         )
+        yield warning("held-twice", contact.pair.tag, seen, "Make one surface of both, or use PENALTY or AUGLAG.")
 
 
 def rigid_primary(joint: Joint) -> Iterator[Finding]:
@@ -127,13 +121,11 @@ def rigid_primary(joint: Joint) -> Iterator[Finding]:
         return
     nodes = [len(np.unique(side.surface.corners)) for side in joint.sides]
     if nodes[0] > nodes[1]:
-        yield warning(
-            "rigid-primary",
-            joint.contact.pair.tag,
+        seen = (
             f"the primary surface is rigid and has {nodes[0]} nodes for {nodes[1]} of the secondary one: it has more "
-            "conditions than the secondary nodes can meet",
-            "Exchange <primary> and <secondary>.",
+            "conditions than the secondary nodes can meet"
         )
+        yield warning("rigid-primary", joint.contact.pair.tag, seen, "Exchange <primary> and <secondary>.")
 
 
 def linear_solver(joint: Joint) -> Iterator[Finding]:
@@ -147,12 +139,9 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     )
     for tag in joint.model.of_solvers("linear_solver"):
         if tag.get("type") in ITERATIVE:
-            yield warning(
-                "linear-solver",
-                tag,
-                f"the linear solver '{tag.get('type')}' may find no solution: {why}",
-                "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
-            )
+            seen = f"the linear solver '{tag.get('type')}' may find no solution: {why}"
+            cure = "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000."
+            yield warning("linear-solver", tag, seen, cure)
 
 
 ON_TEXT = (
