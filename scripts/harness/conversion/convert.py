@@ -32,11 +32,7 @@ from harness.preflight.levels import prescribed_nodes
 from harness.preflight.model import Model
 from harness.preflight.sides import Joint
 
-NOT_OURS = {
-    "concentration gap": "contact solute jump",
-    "contact status": "contact coverage",
-    "contact penalty": "",
-}
+NOT_OURS = {"concentration gap": "contact solute jump", "contact status": "contact coverage", "contact penalty": ""}
 """Plot variables that know FEBio's own contact classes only, and what takes their place."""
 KNOWN_TO_SOLUTE = ("biphasic", "biphasic-solute")  # porous materials that sliding-biphasic-solute takes for porous
 

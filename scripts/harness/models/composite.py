@@ -38,8 +38,5 @@ class Composite(Layered):
     CLOSING = CLOSING
     MATERIALS: ClassVar = {"first": _material(0, FIRST), "second": _material(1, SECOND)}
     COLUMN = (("lower", "first", FIRST.thickness), ("upper", "second", SECOND.thickness))
-    PRESCRIBED = (
-        pressure("bottom", effective_pressure(AMBIENT)),
-        concentration("bottom", AMBIENT),
-    )
+    PRESCRIBED = (pressure("bottom", effective_pressure(AMBIENT)), concentration("bottom", AMBIENT))
     LOGGED = ("c", "jz")

@@ -23,6 +23,7 @@ from harness.models.parts import (
     Rigid,
     Springs,
     child,
+    fill,
     text_of,
 )
 
@@ -135,19 +136,16 @@ class Model:
 
 def _globals(model: Model, root: Element) -> None:
     section = child(root, "Globals")
-    constants = child(section, "Constants")
-    child(constants, "R", model.gas_constant)
-    child(constants, "T", TEMPERATURE)
-    child(constants, "Fc", FARADAY if any(model.charges) else 0.0)
+    faraday = FARADAY if any(model.charges) else 0.0
+    fill(child(section, "Constants"), R=model.gas_constant, T=TEMPERATURE, Fc=faraday)
     if model.charges and len(model.charges) != model.n_solutes:
         raise ModelError(f"model '{model.name}': {len(model.charges)} charges for {model.n_solutes} solutes")
     if model.n_solutes:
         solutes = child(section, "Solutes")
         for number in range(1, model.n_solutes + 1):
             made = child(solutes, "solute", id=str(number), name=f"s{number}")
-            child(made, "charge_number", model.charges[number - 1] if model.charges else 0)
-            child(made, "molar_mass", 1.0)
-            child(made, "density", 1.0)
+            charge = model.charges[number - 1] if model.charges else 0
+            fill(made, charge_number=charge, molar_mass=1.0, density=1.0)
 
 
 def _mesh(mesh: Mesh, springs: Iterable[Springs], root: Element) -> None:
@@ -168,9 +166,7 @@ def _mesh(mesh: Mesh, springs: Iterable[Springs], root: Element) -> None:
         for face, ids in enumerate(facets, 1):
             child(surface, f"{'tri' if len(ids) in (3, 6) else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face))
     for name, (primary, secondary) in mesh.pairs.items():
-        pair = child(section, "SurfacePair", name=name)
-        child(pair, "primary", primary)
-        child(pair, "secondary", secondary)
+        fill(child(section, "SurfacePair", name=name), primary=primary, secondary=secondary)
     for group in springs:
         group.write_mesh(section)
 

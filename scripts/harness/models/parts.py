@@ -1,4 +1,4 @@
-"""The pieces of a model: materials, conditions, contact, springs, control. Each writes its own XML."""
+"""The pieces of a model: materials, conditions, contact, springs, control. Each appends its XML to a section."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -35,6 +35,12 @@ def child(parent: Element, tag: str, value: Value | None = None, **attributes: s
     return made
 
 
+def fill(parent: Element, **values: Value) -> None:
+    """Append an element for each name, with its value as the text."""
+    for tag, value in values.items():
+        child(parent, tag, value)
+
+
 @dataclass(frozen=True)
 class Param:
     """One parameter: tag, value, and where needed a load curve number and attributes."""
@@ -59,11 +65,8 @@ class Solid:
     poisson: float = 0.0  # Poisson's ratio
 
     def write(self, parent: Element, tag: str = "solid") -> Element:
-        """Append the solid to `parent` under the name `tag`."""
         made = child(parent, tag, type="neo-Hookean")
-        child(made, "density", 1.0)
-        child(made, "E", self.modulus)
-        child(made, "v", self.poisson)
+        fill(made, density=1.0, E=self.modulus, v=self.poisson)
         return made
 
 
@@ -78,11 +81,9 @@ class Solute:
     solubility: float = 1.0  # effective solubility kappa~, dimensionless: actual c = kappa~ c~
 
     def write(self, parent: Element) -> None:
-        """Append the solute to the material `parent`."""
         made = child(parent, "solute", sol=str(self.sol))
         diffusivity = child(made, "diffusivity", type="diff-const-iso")
-        child(diffusivity, "free_diff", self.free_diffusivity)
-        child(diffusivity, "diff", self.diffusivity)
+        fill(diffusivity, free_diff=self.free_diffusivity, diff=self.diffusivity)
         child(child(made, "solubility", type="solub-const"), "solub", self.solubility)
 
 
@@ -108,7 +109,6 @@ class Mixture:
         return "multiphasic" if module == "multiphasic" else "biphasic-solute"
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:
-        """Append the material to the section `parent`."""
         made = child(parent, "material", id=str(number), name=name, type=self.kind(module))
         child(made, "phi0", 1.0 - self.porosity)
         if self.kind(module) in ("triphasic", "multiphasic"):
@@ -129,7 +129,6 @@ class Elastic:
     solutes: ClassVar[tuple[Solute, ...]] = ()
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
-        """Append the material to the section `parent`."""
         made = self.solid.write(parent, "material")
         made.set("id", str(number))
         made.set("name", name)
@@ -144,7 +143,6 @@ class Rigid:
     solutes: ClassVar[tuple[Solute, ...]] = ()
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
-        """Append the material to the section `parent`."""
         made = child(parent, "material", id=str(number), name=name, type="rigid body")
         child(made, "density", 1.0)
         if self.centre is not None:
@@ -162,10 +160,8 @@ class Curve:
     interpolate: str = "LINEAR"
 
     def write(self, parent: Element, number: int) -> None:
-        """Append the curve to the section `parent`."""
         made = child(parent, "load_controller", id=str(number), type="loadcurve")
-        child(made, "interpolate", self.interpolate)
-        child(made, "extend", "CONSTANT")
+        fill(made, interpolate=self.interpolate, extend="CONSTANT")
         points = child(made, "points")
         for point in self.points:
             child(points, "pt", point)
@@ -192,7 +188,6 @@ class Condition:
         return self.tag in ("rigid_bc", "rigid_load")
 
     def write(self, parent: Element) -> None:
-        """Append the condition to the section `parent`."""
         made = child(parent, self.tag, name=f"{self.kind} {self.where}", type=self.kind)
         if self.of_rigid_body:
             child(made, "rb", self.where)
@@ -279,15 +274,10 @@ class TimeStepper:
     force: bool = False  # always take the largest step allowed
 
     def write(self, parent: Element) -> None:
-        """Append the time stepper to the control section `parent`."""
         made = child(parent, "time_stepper", type="default")
-        child(made, "max_retries", self.retries)
-        child(made, "opt_iter", self.optimal_iterations)
-        child(made, "dtmin", 0.0)
+        fill(made, max_retries=self.retries, opt_iter=self.optimal_iterations, dtmin=0.0)
         Param("dtmax", self.max_step, self.must_points).write(made)
-        child(made, "aggressiveness", int(self.aggressive))
-        child(made, "cutback", 0.5)
-        child(made, "dtforce", int(self.force))
+        fill(made, aggressiveness=self.aggressive, cutback=0.5, dtforce=self.force)
 
 
 @dataclass(frozen=True)
@@ -314,22 +304,17 @@ class Control:
     matrix: str = "non-symmetric"  # FEBio's name of the form of the solver's matrix: ``non-symmetric`` or ``symmetric``
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
-        """Append the control section to the model `parent`."""
         made = child(parent, "Control")
         child(made, "analysis", self.analysis or ("STATIC" if module == "solid" else "TRANSIENT"))
         child(made, "time_steps", self.steps if self.end is None else -1)
         if self.end is not None:
             child(made, "final_time", self.end)
-        child(made, "step_size", self.step)
-        child(made, "plot_level", "PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
+        fill(made, step_size=self.step, plot_level="PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
         if self.stepper:
             self.stepper.write(made)
         solver = child(made, "solver", type=module)
-        child(solver, "symmetric_stiffness", self.matrix)
-        child(solver, "max_refs", self.reformations)
-        child(solver, "dtol", self.displacement_tolerance)
-        child(solver, "etol", self.energy_tolerance)
-        child(solver, "rtol", self.residual_tolerance)
+        fill(solver, symmetric_stiffness=self.matrix, max_refs=self.reformations)
+        fill(solver, dtol=self.displacement_tolerance, etol=self.energy_tolerance, rtol=self.residual_tolerance)
         if module != "solid":
             child(solver, "ptol", self.pressure_tolerance)
         if module in ("solute", "multiphasic"):
@@ -348,7 +333,6 @@ class Contact:
     params: tuple[Param, ...] = ()
 
     def write(self, parent: Element) -> None:
-        """Append the interface to the section `parent`."""
         made = child(parent, "contact", name=self.pair, type=self.kind, surface_pair=self.pair)
         for param in self.params:
             param.write(made)
@@ -364,16 +348,13 @@ class Springs:
     curve: int | None = None  # number of a load curve that is a factor of the stiffness
 
     def write_mesh(self, parent: Element) -> None:
-        """Append the pairs of nodes to the section ``Mesh``."""
         made = child(parent, "DiscreteSet", name=self.name)
         for pair in self.ends:
             child(made, "delem", tuple(map(int, pair)))
 
     def write_material(self, parent: Element, number: int) -> None:
-        """Append the material to the section ``Discrete``."""
         made = child(parent, "discrete_material", id=str(number), name=self.name, type="linear spring")
         Param("E", self.stiffness, self.curve).write(made)
 
     def write_set(self, parent: Element, number: int) -> None:
-        """Append the springs to the section ``Discrete``."""
         child(parent, "discrete", dmat=str(number), discrete_set=self.name)

@@ -53,22 +53,13 @@ class Febio4:
     name = "febio4"
 
     def binaries(self, plugin: bool) -> tuple[Path, ...]:
-        """febio4, and the plugin library if a model needs it."""
         return (find_engine(), required_plugin()) if plugin else (find_engine(),)
 
     def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:
-        """As `command`, with the library of the build."""
         return command(model, required_plugin() if plugin else None, options)
 
 
-USUAL_ROOTS = (
-    "~/febio4",
-    "/usr/local/febio4",
-    "/opt/febio4",
-    "~/FEBioStudio",
-    "~/FEBioStudio2",
-    "/opt/FEBioStudio",
-)
+USUAL_ROOTS = ("~/febio4", "/usr/local/febio4", "/opt/febio4", "~/FEBioStudio", "~/FEBioStudio2", "/opt/FEBioStudio")
 """Folders of FEBio, as in cmake/FindFEBio.cmake."""
 
 

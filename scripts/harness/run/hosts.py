@@ -32,15 +32,10 @@ class Standalone:
     name = "standalone"
 
     def binaries(self, plugin: bool) -> tuple[Path, ...]:  # noqa: ARG002 - the contact is built in
-        """The files that decide what a run gives."""
         return (find_standalone(),)
 
     def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:  # noqa: ARG002
-        """The command line that runs a model file from its own folder.
-
-        Raises EngineNotFoundError: no executable.
-        Raises EngineFailedError: options: those of febio4 mean nothing here.
-        """
+        """As `Host.command`. Raises EngineFailedError where there are options: those of febio4 mean nothing here."""
         if options:
             raise EngineFailedError(f"the embedded engine does not know the options {' '.join(options)} of febio4")
         return [str(find_standalone()), model.name]

@@ -31,6 +31,7 @@ from harness.models.parts import (
     child,
     concentration,
     effective_pressure,
+    fill,
     initial_concentration,
     initial_pressure,
     pressure,
@@ -49,14 +50,11 @@ class Fibrous(Solid):
     fibres: Mapping[tuple[int, int], float] = field(default_factory=dict)
 
     def write(self, parent: Element, tag: str = "solid") -> Element:
-        """Append the solid to `parent` under the name `tag`."""
         made = child(parent, tag, type="solid mixture")
         super().write(made)
         for edge, modulus in self.fibres.items():
             fibres = child(made, "solid", type="fiber-pow-linear")
-            child(fibres, "E", modulus)
-            child(fibres, "lam0", TOE)
-            child(fibres, "beta", 2.0)
+            fill(fibres, E=modulus, lam0=TOE, beta=2.0)
             child(fibres, "fiber", edge, type="local")
         return made
 
