@@ -14,9 +14,9 @@ from harness.conversion.fates import (
     Action,
     Change,
     Changes,
-    additions,
     fate,
     missing,
+    rewritten,
 )
 from harness.conversion.sources import Located, Sources
 from harness.conversion.spans import Edit
@@ -56,7 +56,7 @@ def convert(path: Path) -> Converted:
     """
     model = models.read(path)
     joints = [Joint(model, contact) for contact in (*model.contacts, *model.ties)]
-    if not any(_is_convertible(joint) and not tied_contacts.stays(joint) for joint in joints):
+    if all(joint.contact.kind.is_mixture or tied_contacts.stays(joint) for joint in joints):
         found = ", ".join(sorted({joint.contact.kind.name for joint in joints}))
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
         stay = "".join(f"; {reason}" for reason in dict.fromkeys(filter(None, map(tied_contacts.stays, joints))))
@@ -90,10 +90,10 @@ def _refuse(path: Path, reasons: list[str]) -> None:
 
 def _refusals(model: Model) -> Iterator[str]:
     """Reasons not to convert, one sentence each; none where the physics stays."""
-    for contact in model.contacts:
-        if contact.kind.name in CONVERTIBLE:
-            yield from _of_materials(Joint(model, contact))
-    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+    theirs = [contact for contact in model.contacts if not contact.kind.is_mixture]
+    for contact in theirs:
+        yield from _of_materials(Joint(model, contact))
+    for contact in theirs:
         if contact.given("fric_coeff") is not None and "fric_coeff" not in contact.kind.parameters:
             yield f"{documents.place(contact.tag)}: {contact.kind.name} has no parameter <fric_coeff>; FEBio stops"
 
@@ -118,8 +118,7 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     edits: dict[Path, list[Edit]] = {}
     changes: dict[str, list[Change]] = {}
     for number, (contact, joint) in enumerate(_joints(files, model), 1):
-        kind = contact.span.attributes.get("type", "")
-        if joint is None or not _is_convertible(joint):
+        if joint is None or joint.contact.kind.is_mixture:
             continue
         if reason := tied_contacts.stays(joint):
             stays = Change(Action.KEPT, "type", contact.span.line, f"stays: {reason}")
@@ -127,7 +126,8 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
             continue
         data, is_tie = files.data[contact.file], joint.contact.kind.is_tie
         new = TIED if is_tie else MIXTURE
-        own = [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {new}")]
+        old = contact.span.attributes.get("type", "")
+        own = [Change(Action.MAPPED, "type", contact.span.line, f"{old} becomes {new}")]
         found = edits.setdefault(contact.file, [])
         found.append(spans.attribute(data, contact.span, "type", new))
         for edit, change in (tied_contacts.parameters if is_tie else _parameters)(data, contact.span, joint):
@@ -139,10 +139,6 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     for change in _output(files):
         changes.setdefault("output", []).append(change)
     return edits, changes
-
-
-def _is_convertible(joint: Joint) -> bool:
-    return joint.contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES)
 
 
 def _title(contact: Located, number: int, model: Path) -> str:
@@ -162,21 +158,16 @@ def _joints(files: Sources, model: Model) -> Iterator[tuple[Located, Joint | Non
 def _parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
     kind, rubs = joint.contact.kind, joint.contact.has_friction
     impermeable = not kind.solvent and any(side.porous for side in joint.sides)
-    for child in contact.children:
-        value = spans.text(data, child)
-        action, reason = fate(kind, child.tag, value, rubs=rubs)
-        change = Change(action, child.tag, child.line, reason)
-        yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
     names = missing(kind, {child.tag for child in contact.children})
     written = [(name, DEFAULT, WRITTEN[name]) for name in names]
     parameters = IMPERMEABLE_WITH_FRICTION if rubs else IMPERMEABLE
     written += [(name, value, TRACTION_ALONE) for name, value in parameters.items() if impermeable]
-    yield from additions(data, contact, written)
+    return rewritten(data, contact, lambda name, value: fate(kind, name, value, rubs=rubs), written)
 
 
 def _prescribed(model: Model) -> Iterator[Change]:
     """Nodes that a boundary condition holds: they stay so in contact and outside."""
-    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+    for contact in (contact for contact in model.contacts if not contact.kind.is_mixture):
         for prescribed in prescribed_nodes(Joint(model, contact)):
             where = f"{prescribed.nodes} nodes of the contact have this condition; sliding-mixture keeps it"
             why = f"{contact.kind.name} does so in contact, and sets the ambient value where they are open"

@@ -1,6 +1,6 @@
 """What becomes of each parameter of FEBio's sliding interfaces, and why: the table of docs/reference/from-febio.md."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -116,8 +116,21 @@ def missing(kind: ContactType, given: set[str]) -> Iterator[str]:
     return (name for name in known if name != "search_radius" or "tension" in given)
 
 
-def additions(data: bytes, contact: Span, written: Sequence[tuple[str, str, str]]) -> Changes:
-    """Edits that write parameters, each with its name, value and reason, into a contact, and what each does."""
+def rewritten(
+    data: bytes,
+    contact: Span,
+    fate_of: Callable[[str, str], tuple[Action, str]],
+    written: Sequence[tuple[str, str, str]],
+) -> Changes:
+    """Edits of the parameters of a contact, and what each does.
+
+    fate_of: what becomes of a parameter of a name and a value, and why.
+    written: name, value and reason of each parameter that is added.
+    """
+    for child in contact.children:
+        action, reason = fate_of(child.tag, spans.text(data, child))
+        gone = [] if action is Action.KEPT else [spans.removal(data, child)]
+        yield gone, Change(action, child.tag, child.line, reason)
     lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
     for place, (name, value, reason) in enumerate(written):
         change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")

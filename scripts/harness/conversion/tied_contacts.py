@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from harness.conversion import spans
-from harness.conversion.fates import NO_DIFFERENCE, Action, Change, Changes, additions
+from harness.conversion.fates import NO_DIFFERENCE, Action, Change, Changes, rewritten
 from harness.preflight.byte_spans import Span
 from harness.preflight.contact_types import ANY_DISTANCE, STICKY
 from harness.preflight.sides import SIDES, Joint
@@ -35,6 +35,7 @@ KEPT = {
     "node_reloc": "nodes move along their normals instead of to the closest point",
 }
 """What differs in parameters that stay."""
+BREAKS = "broken nodes are in sliding contact, whereas sticky ties them again"
 NEVER = 1e6  # times the strength in tension: a strength in shear that no load reaches
 _PENALTY = "convert writes FEBio's default; an automatic penalty would leave far smaller gaps"
 _LIMITLESS = (
@@ -71,11 +72,8 @@ def parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
     if joint.contact.kind.name in ANY_DISTANCE:
         joint = joint.facing()
     yield from (([], change) for change in _kept_gap(contact, joint))
-    for child in contact.children:
-        change = _fate(joint, child, spans.text(data, child))
-        gone = change.action is not Action.KEPT
-        yield [spans.removal(data, child)] if gone else [], change
-    yield from additions(data, contact, list(_written(data, contact, joint)))
+    written = list(_written(data, contact, joint))
+    yield from rewritten(data, contact, lambda name, value: _fate(joint, name, value), written)
 
 
 def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
@@ -95,26 +93,19 @@ def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
         )
 
 
-def _fate(joint: Joint, child: Span, value: str) -> Change:
-    name = child.tag
-    if joint.contact.kind.name == STICKY and name in ("flip_secondary", "max_traction"):
-        return _sticky_fate(joint, child)
+def _fate(joint: Joint, name: str, value: str) -> tuple[Action, str]:
+    if joint.contact.kind.name == STICKY and name == "flip_secondary":
+        return Action.DROPPED, "convert writes it again if the surface must be flipped"
+    if joint.contact.kind.name == STICKY and name == "max_traction":
+        breaks = joint.contact.value(name, 0.0) > 0.0
+        return (Action.KEPT, BREAKS) if breaks else (Action.DROPPED, "the tie cannot break, as in FEBio")
     if name in DROPPED:
-        return Change(Action.DROPPED, name, child.line, DROPPED[name])
+        return Action.DROPPED, DROPPED[name]
     if name in ("gaptol", "ptol", "ctol") and value.startswith("-"):
-        return Change(Action.DROPPED, name, child.line, "a negative tolerance has no effect in FEBio")
+        return Action.DROPPED, "a negative tolerance has no effect in FEBio"
     if name == "max_distance":
-        return Change(Action.MAPPED, name, child.line, "becomes <search_radius>, which acts along normals")
-    return Change(Action.KEPT, name, child.line, KEPT.get(name, NO_DIFFERENCE))
-
-
-def _sticky_fate(joint: Joint, child: Span) -> Change:
-    if child.tag == "flip_secondary":
-        return Change(Action.DROPPED, child.tag, child.line, "convert writes it again if the surface must be flipped")
-    if not joint.contact.value(child.tag, 0.0) > 0.0:
-        return Change(Action.DROPPED, child.tag, child.line, "the tie cannot break, as in FEBio")
-    after = "broken nodes are in sliding contact, whereas sticky ties them again"
-    return Change(Action.KEPT, child.tag, child.line, after)
+        return Action.MAPPED, "becomes <search_radius>, which acts along normals"
+    return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
 
 
 def _written(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[str, str, str]]:
