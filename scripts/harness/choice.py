@@ -8,7 +8,7 @@ import typer
 def chosen(names: Sequence[str] | None, known: Collection[str], option: str = "--only") -> list[str]:
     """The names that are given with an option; all that are known where none is.
 
-    Raises typer.BadParameter: a name is not known.
+    Raises typer.BadParameter where a name is not known.
     """
     for name in names or ():
         if name not in known:

@@ -20,7 +20,7 @@ def concentration(z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: flo
     z, t: position (mm) and time (s, > 0); broadcast against each other.
     height, diffusivity, ambient: h (mm), d (mm^2/s), and the ambient concentration c* (mM) at z = -h/2.
     Returns: c, mM, in the broadcast shape.
-    Raises ValueError: for a time that is not positive, a position outside, or data that are not positive.
+    Raises ValueError for a time that is not positive, a position outside, or data that are not positive.
     """
     position, time = np.broadcast_arrays(np.asarray(z, dtype=float), np.asarray(t, dtype=float))
     if np.any(time <= 0.0) or height <= 0.0 or diffusivity <= 0.0:

@@ -51,8 +51,8 @@ class Converted:
 def convert(path: Path) -> Converted:
     """Switch contacts of FEBio's sliding types to `sliding-mixture`, and those of its tied types to `tied-mixture`.
 
-    Raises ModelError: the file cannot be read, has nothing to convert, or converting would change the physics or make a
-    model that does not run; says all the reasons.
+    Raises ModelError, with all reasons, where the file cannot be read, has nothing to convert, or converting would
+    change the physics or make a model that does not run.
     """
     model = models.read(path)
     joints = [Joint(model, contact) for contact in (*model.contacts, *model.ties)]

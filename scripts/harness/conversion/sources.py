@@ -77,7 +77,7 @@ def converted_name(path: Path) -> Path:
 def redirect(sources: Sources, edits: dict[Path, list[Edit]]) -> None:
     """Has files with edits read by their new names, and so on up to the model.
 
-    Raises ModelError: a name is written with entities.
+    Raises ModelError where a name is written with entities.
     """
     for reference in reversed(sources.references):
         if reference.target in edits:

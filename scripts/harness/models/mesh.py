@@ -97,7 +97,7 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
     boxes: numbered in this order.
     Returns: node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names,
         their facets ordered with x fastest; no pairs.
-    Raises ModelError: for a box without size or elements.
+    Raises ModelError for a box without size or elements.
     """
     nodes: list[Nodes] = []
     parts: list[Part] = []
@@ -125,7 +125,7 @@ def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
     gap: distance between neighbours, mm; negative where they are to overlap.
     Returns: node sets ``all``, ``bottom``, ``top``, and for each layer ``<name>-bottom`` and ``<name>-top``; surfaces
         of the same names; pairs ``<lower>/<upper>`` whose primary surface is the top of the lower layer.
-    Raises ModelError: for a layer without thickness or elements.
+    Raises ModelError for a layer without thickness or elements.
     """
     section = section or Section()
     boxes: list[Box] = []
@@ -148,7 +148,7 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
 
     Parameters and sets are those of `split_column`; there are no contact pairs.
 
-    Raises ModelError: for a layer without thickness or elements.
+    Raises ModelError for a layer without thickness or elements.
     """
     mesh = split_column(layers, bottom=bottom, section=section)
     same = np.arange(len(mesh.nodes))

@@ -33,7 +33,7 @@ class Rule:
 def rule(n_nodes: int) -> Rule:
     """The rule that FEBio uses by default: 2 x 2 x 2 Gauss points for hex8, 3 x 3 x 3 for hex20.
 
-    Raises ValueError: for another number of nodes.
+    Raises ValueError for another number of nodes.
     """
     if n_nodes not in (8, 20):
         raise ValueError(f"no rule for a hexahedron of {n_nodes} nodes; there is 8 and 20")

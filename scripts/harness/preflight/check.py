@@ -23,7 +23,7 @@ _ORDER = list(Severity)
 def check(path: Path, instead: Contents = AS_THEY_ARE) -> list[Finding]:
     """Findings of a model file, the worst first; what `instead` has is read in place of files.
 
-    Raises ModelError: the file cannot be read.
+    Raises ModelError where the file cannot be read.
     """
     found: list[Finding] = []
     model = models.read(path, instead)

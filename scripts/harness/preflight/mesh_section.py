@@ -161,7 +161,7 @@ class _Numbering:
     ids: Ids
 
     def places(self, numbers: Iterable[int], tag: Element) -> Ids:
-        """Places of nodes. Raises ModelError: a node does not exist."""
+        """Places of nodes. Raises ModelError where a node does not exist."""
         wanted = np.array(list(numbers), dtype=np.int64)
         found = np.minimum(np.searchsorted(self.ids, wanted), len(self.ids) - 1)
         missing = wanted[self.ids[found] != wanted] if len(wanted) else wanted

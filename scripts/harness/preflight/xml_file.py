@@ -40,7 +40,7 @@ def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
 
 
 def root_of(path: Path, data: bytes) -> Element:
-    """Root of the content of a model file. Raises ModelError: it is no XML, or no FEBio model of one of `VERSIONS`."""
+    """Root of the content of a model file. Raises ModelError where it is no FEBio model of one of `VERSIONS`."""
     parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
     try:
         root = etree.fromstring(data, parser, base_url=str(path))
@@ -199,7 +199,7 @@ def _section_from(section: Element, file: Path, root: Element) -> Element:
 def included(model: Path, where: Place, name: str, instead: Contents = AS_THEY_ARE) -> Path:
     """The file that a section names; FEBio looks beside the model file, or from where it is started.
 
-    Raises ModelError: there is none.
+    Raises ModelError where there is none.
     """
     beside = model.parent / name
     if name and (beside in instead or beside.is_file()):

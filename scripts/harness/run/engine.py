@@ -114,7 +114,7 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
     model: the .feb file; FEBio's output is written next to it.
     plugin: library to load with ``-import``.
     options: further arguments of febio4, such as ``-dump``.
-    Raises EngineNotFoundError: no febio4.
+    Raises EngineNotFoundError without febio4.
     """
     load = [] if plugin is None else ["-import", str(plugin)]
     return [str(find_engine()), "-i", model.name, *options, *load]
@@ -148,7 +148,7 @@ def execute(
     progress: called with each time reached, s.
     check: whether a run that does not end normally is an error.
     timeout: s after which the run is ended, and then did not end normally.
-    Raises EngineFailedError: with `check`, where febio4 did not end normally; quotes FEBio's own words.
+    Raises EngineFailedError, with `check`, where febio4 did not end normally; quotes FEBio's own words.
     """
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()
