@@ -1,11 +1,8 @@
 """Kinds of arrays."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Ids = NDArray[np.int64]
-"""Numbers of nodes, elements or facets, and places in other arrays."""
+Ids = NDArray[np.int64]  # numbers of nodes, elements or facets, and places in other arrays
 Mask = NDArray[np.bool_]

@@ -1,7 +1,5 @@
 """Names that a command is given, of those that it knows."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 
 import typer
@@ -10,10 +8,7 @@ import typer
 def chosen(names: Sequence[str] | None, known: Collection[str], option: str = "--only") -> list[str]:
     """The names that are given with an option; all that are known where none is.
 
-    Raises
-    ------
-    typer.BadParameter
-        A name is not known.
+    Raises typer.BadParameter where a name is not known.
     """
     for name in names or ():
         if name not in known:

@@ -1,7 +1,5 @@
 """What can go wrong, as exceptions whose text is meant for the person at the terminal."""
 
-from __future__ import annotations
-
 
 class HarnessError(Exception):
     """Base of every error that the harness reports without a traceback."""

@@ -1,7 +1,5 @@
 """Where things stand: in the repository, or where the harness is installed without it."""
 
-from __future__ import annotations
-
 import os
 import sys
 from pathlib import Path
@@ -30,12 +28,6 @@ RESULTS = _OUTPUT / "results"
 
 
 def plugin_library() -> Path:
-    """Path of the plugin library: ``$MIXCONTACT_PLUGIN`` if set, else the one a build leaves in build/lib.
-
-    Returns
-    -------
-    Path
-        Where the library is expected; it need not exist.
-    """
+    """Where the plugin is expected: ``$MIXCONTACT_PLUGIN`` if set, else what a build leaves in build/lib."""
     chosen = os.environ.get(PLUGIN_VARIABLE)
     return Path(chosen) if chosen else REPOSITORY / "build" / "lib" / PLUGIN_NAME

@@ -1,7 +1,5 @@
 """What everybody can do who has the harness, with or without the repository; and what is said where a command fails."""
 
-from __future__ import annotations
-
 import ast
 import sys
 import tempfile
@@ -17,8 +15,7 @@ from rich.markup import escape
 
 from harness.errors import HarnessError
 
-BAD_INPUT, OUR_FAULT = 2, 4
-"""Exit codes: the input cannot be used; a fault in here."""
+BAD_INPUT, OUR_FAULT = 2, 4  # exit codes: the input cannot be used; a fault in here
 
 _ABOUT = "Make, run and check models of contact between mixtures."
 FOR_EVERYBODY = {
@@ -60,13 +57,9 @@ def commands(known: Mapping[str, str], arguments: Sequence[str] | None = None) -
     called = known if arguments is None else [name for name in arguments[:1] if name in known]
     for name in called or known:
         found = function(name, known) if called else described(name, known)
-        app.command(name, help=_flowing(found.__doc__ or ""))(found)
+        paragraphs = (found.__doc__ or "").split("\n\n")  # one line each, which a terminal of any width breaks
+        app.command(name, help="\n\n".join(" ".join(paragraph.split()) for paragraph in paragraphs))(found)
     return app
-
-
-def _flowing(text: str) -> str:
-    """A docstring with a line for each paragraph, which a terminal of any width breaks at its own end."""
-    return "\n\n".join(" ".join(paragraph.split()) for paragraph in text.split("\n\n"))
 
 
 def start(app: typer.Typer, program: str) -> None:

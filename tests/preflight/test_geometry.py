@@ -17,7 +17,7 @@ FACE_UP = FACE_DOWN[:, ::-1]
 
 def hit(origin, faces, direction=UP):
     found = rays.nearest_facing(np.array([origin], dtype=float), direction, rays.triangles(faces))
-    return float(found.distance[0])
+    return float(found[0])
 
 
 def test_a_ray_meets_what_faces_it_in_front_and_behind():
@@ -41,7 +41,7 @@ def test_a_ray_leaves_a_body_beyond_its_start():
     start, least = np.array([[0.5, 0.4, 0.0]]), np.array([0.1])
     floor = FACE_UP - 2.0 * UP
     found = rays.first_exit(start, UP, rays.triangles(np.concatenate([floor, FACE_UP])), least)
-    assert found.distance[0] == pytest.approx(2.0)
+    assert found[0] == pytest.approx(2.0)
 
 
 def test_triangles_with_a_repeated_corner_are_met_once():

@@ -15,6 +15,7 @@ from harness.closed_forms import (
     transient_diffusion,
     two_layer_convection,
 )
+from harness.models import convection, diffusion
 from studies.closed_forms import biphasic_layers, cattaneo_mindlin, hertz, incline, sliding_plate
 
 SLAB = {"height": 2.0, "diffusivity": 5e-4}
@@ -65,8 +66,9 @@ def test_steady_convection_has_one_flux(peclet):
 
 
 def test_peclet_numbers_of_the_paper():
-    for expected, drop in ((0.0, 0.0), (1.0, 0.4), (10.0, 4.0)):
-        found = steady_convection.peclet(pressure_drop=drop, permeability=1e-3, diffusivity=5e-4, porosity=0.8)
+    """Pe = h w0/(d phi_w) with w0 = k (p_u - p_d)/h."""
+    for expected, drop in convection.PRESSURES.items():
+        found = convection.PERMEABILITY * drop / (diffusion.DIFFUSIVITY * convection.POROSITY)
         assert found == pytest.approx(expected, rel=1e-14)
 
 

@@ -6,7 +6,7 @@ import febio_runs
 import pytest
 from lxml import etree
 
-from harness.collection import kept_models
+from harness.collection import command
 from harness.run import engine
 
 pytestmark = pytest.mark.mixture_only
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.mixture_only
 STEPS = 2
 
 
-@pytest.mark.parametrize("model", sorted(kept_models.SOURCE.glob("*.feb")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("model", sorted(command.SOURCE.glob("*.feb")), ids=lambda path: path.stem)
 def test_a_kept_model_takes_its_first_steps(runner, tmp_path, model):
     tree = etree.parse(model)
     for steps in tree.iter("time_steps"):

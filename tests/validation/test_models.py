@@ -11,7 +11,7 @@ from lxml import etree
 from scenes.ambient import Apart, HalfWet
 from scenes.patches import Patches
 
-import harness.collection.kept_models
+import harness.collection.command
 from harness.errors import ModelError
 from harness.models.blocks import boundary
 from harness.models.diffusion import Diffusion
@@ -82,7 +82,7 @@ def test_committed_models_are_what_the_generator_writes():
 
 
 def test_a_wheel_has_the_models_where_the_command_looks_for_them():
-    place = Path(harness.collection.kept_models.__file__).with_name("models").relative_to(REPOSITORY / "scripts")
+    place = Path(harness.collection.command.__file__).with_name("models").relative_to(REPOSITORY / "scripts")
     assert f'models = "{place.as_posix()}"\n' in (REPOSITORY / "pyproject.toml").read_text(encoding="utf-8")
 
 

@@ -14,21 +14,18 @@ also for finite eps (the boundary terms of the jump cancel), so A = INT K X / IN
 of Heat and Mass Diffusion.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
-_NEGLIGIBLE = 45.0
-"""Exponent beyond which a term is below 3e-20."""
-_COINCIDENT = 1e-9
-"""Relative distance below which two poles are one."""
-_BESIDE = 1e-7
-"""Distance from a double pole, where the characteristic function vanishes, relative to the next pole's."""
+from harness.arrays import Array
+
+_NEGLIGIBLE = 45.0  # exponent beyond which a term is below 3e-20
+_COINCIDENT = 1e-9  # relative distance below which two poles are one
+_BESIDE = 1e-7  # distance from a double pole, where the characteristic function vanishes, relative to the next pole's
 
 
 @dataclass(frozen=True)
@@ -55,31 +52,15 @@ class Layer:
         return rate * self.thickness / float(np.sqrt(self.diffusivity))
 
 
-def concentration(
-    z: ArrayLike, t: float, first: Layer, second: Layer, conductance: float = np.inf
-) -> NDArray[np.float64]:
+def concentration(z: ArrayLike, t: float, first: Layer, second: Layer, conductance: float = np.inf) -> Array:
     """Effective concentration c~/c* at a time, in two layers that were empty at t = 0, with c* at z = 0.
 
-    Parameters
-    ----------
-    z : array_like
-        Distance from the ambient face, mm; at z = L1 itself the value of the first layer.
-    t : float
-        Time, s, positive.
-    first, second : Layer
-        The layer at the ambient face, and the one behind it, whose far face is impermeable.
-    conductance : float
-        eps_c of the interface, mm/s.
-
-    Returns
-    -------
-    ndarray
-        c~/c* in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
-
-    Raises
-    ------
-    ValueError
-        For a time or conductance that is not positive, or a position outside the layers.
+    z: distance from the ambient face, mm; at z = L1 itself the value of the first layer.
+    t: time, s, positive.
+    first, second: the layer at the ambient face, and the one behind it, whose far face is impermeable.
+    conductance: eps_c of the interface, mm/s.
+    Returns: c~/c* in the shape of `z`. The actual concentration is kappa~ c~ in each layer.
+    Raises ValueError for a time or conductance that is not positive, or a position outside the layers.
     """
     position = np.asarray(z, dtype=float)
     if t <= 0.0 or conductance <= 0.0:
@@ -105,35 +86,28 @@ def rates(first: Layer, second: Layer, conductance: float, largest: float) -> li
     fall together, they are a root as well.
     """
     found: list[float] = []
-    for left, right in pairwise(_poles(first, second, largest)):
-        width = right.rate - left.rate
-        start = left.rate + (_BESIDE * width if left.double else 0.0)
-        stop = right.rate - (_BESIDE * width if right.double else 0.0)
+    for (left, left_double), (right, right_double) in pairwise(_poles(first, second, largest)):
+        start = left + (_BESIDE * (right - left) if left_double else 0.0)
+        stop = right - (_BESIDE * (right - left) if right_double else 0.0)
         arguments = (first, second, conductance)
         found.append(float(brentq(_characteristic, start, stop, args=arguments, xtol=1e-16, rtol=1e-14)))
-        if right.double:
-            found.append(right.rate)
+        if right_double:
+            found.append(right)
     return found
 
 
-@dataclass(frozen=True)
-class _Pole:
-    rate: float
-    double: bool
-
-
-def _poles(first: Layer, second: Layer, largest: float) -> list[_Pole]:
-    """The poles in ascending order, from lambda = 0 to one interval beyond `largest`; coincident ones as one."""
+def _poles(first: Layer, second: Layer, largest: float) -> list[tuple[float, bool]]:
+    """The poles in ascending order, from lambda = 0 to one interval beyond `largest`, and whether two fall together."""
     tangent = np.pi * np.sqrt(first.diffusivity) / first.thickness
     cotangent = np.pi * np.sqrt(second.diffusivity) / second.thickness
     count = 3 + int(largest / min(tangent, cotangent)) + int(largest / max(tangent, cotangent))
     rates = np.sort(np.concatenate([(np.arange(count) + 0.5) * tangent, np.arange(count) * cotangent]))
-    poles: list[_Pole] = []
+    poles: list[tuple[float, bool]] = []
     for rate in rates[: int(np.searchsorted(rates, largest)) + 2]:
-        if poles and rate - poles[-1].rate <= _COINCIDENT * rate:
-            poles[-1] = _Pole(poles[-1].rate, double=True)
+        if poles and rate - poles[-1][0] <= _COINCIDENT * rate:
+            poles[-1] = (poles[-1][0], True)
         else:
-            poles.append(_Pole(float(rate), double=False))
+            poles.append((float(rate), False))
     return poles
 
 

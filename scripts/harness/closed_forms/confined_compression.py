@@ -6,30 +6,21 @@ u_zeta(1) = (P0/H) h. Steady: (P0/H) h zeta; the rest in the modes sin(mu_n zeta
 INT zeta sin(mu zeta) = sin(mu)/mu^2. From the momentum balance p = P0 - H u_zeta/h.
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from harness.arrays import Array
 
 _TERMS = 4000
 
 
-def displacement(zeta: ArrayLike, tau: ArrayLike, *, load: float, modulus: float, height: float) -> NDArray[np.float64]:
+def displacement(zeta: ArrayLike, tau: ArrayLike, *, load: float, modulus: float, height: float) -> Array:
     """Displacement (mm) towards the fixed face.
 
-    Parameters
-    ----------
-    zeta : array_like
-        z/h, 0 at the fixed face and 1 at the loaded one; broadcast against `tau`.
-    tau : array_like
-        H k t/h^2, not negative.
-    load, modulus, height : float
-        P0 and aggregate modulus H (MPa), h (mm).
-
-    Returns
-    -------
-    ndarray
-        (P0/H) h [zeta - 2 SUM (-1)^n sin(mu_n zeta)/mu_n^2 e^{-mu_n^2 tau}].
+    zeta: z/h, 0 at the fixed face and 1 at the loaded one; broadcast against `tau`.
+    tau: H k t/h^2, not negative.
+    load, modulus, height: P0 and aggregate modulus H (MPa), h (mm).
+    Returns: (P0/H) h [zeta - 2 SUM (-1)^n sin(mu_n zeta)/mu_n^2 e^{-mu_n^2 tau}].
     """
     z, time = np.broadcast_arrays(np.asarray(zeta, dtype=float), np.asarray(tau, dtype=float))
     n, mu = _modes()
@@ -38,7 +29,7 @@ def displacement(zeta: ArrayLike, tau: ArrayLike, *, load: float, modulus: float
     return np.asarray(load / modulus * height * (z - series))
 
 
-def fluid_pressure(zeta: ArrayLike, tau: ArrayLike, *, load: float) -> NDArray[np.float64]:
+def fluid_pressure(zeta: ArrayLike, tau: ArrayLike, *, load: float) -> Array:
     """Fluid pressure (MPa), 2 P0 SUM (-1)^n cos(mu_n zeta)/mu_n e^{-mu_n^2 tau}; `tau` must be positive."""
     z, time = np.broadcast_arrays(np.asarray(zeta, dtype=float), np.asarray(tau, dtype=float))
     n, mu = _modes()
@@ -46,6 +37,6 @@ def fluid_pressure(zeta: ArrayLike, tau: ArrayLike, *, load: float) -> NDArray[n
     return np.asarray(load * np.sum((-1.0) ** n * 2.0 / mu * modes, axis=-1))
 
 
-def _modes() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _modes() -> tuple[Array, Array]:
     n = np.arange(_TERMS, dtype=float)
     return n, (n + 0.5) * np.pi

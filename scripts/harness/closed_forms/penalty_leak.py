@@ -5,20 +5,14 @@ equation 2.9 of Ateshian, Maas, Weiss (2012), J Biomech 45(6):1023-1027, j_n = e
 a smaller jump does not use the penalty it was given.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 
 def relative_jump(resistances: Iterable[float], penalty: float) -> float:
     """Jump of c~ over the interface, divided by the difference of c~ between the two outer faces.
 
-    Parameters
-    ----------
-    resistances : iterable of float
-        L_i/G_i of each layer, s/mm.
-    penalty : float
-        eps_c, mm/s.
+    resistances: L_i/G_i of each layer, s/mm.
+    penalty: eps_c, mm/s.
     """
     leak = 1.0 / penalty
     return leak / (sum(resistances) + leak)

@@ -5,50 +5,28 @@ j = phi_w (-d c' + (w0/phi_w) c) is constant, so c'' = (Pe/h) c' with Pe = h w0/
 constant and exp(Pe z/h); the two face values fix the rest.
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-
-def peclet(*, pressure_drop: float, permeability: float, diffusivity: float, porosity: float) -> float:
-    """Pe = h w0/(d phi_w) with w0 = k (p_u - p_d)/h; the thickness h cancels.
-
-    Parameters
-    ----------
-    pressure_drop : float
-        p_u - p_d, fluid pressure, MPa.
-    permeability, diffusivity, porosity : float
-        k (mm^4/(N s)), d (mm^2/s), phi_w. Darcy's law in this form needs d = d0.
-    """
-    return permeability * pressure_drop / (diffusivity * porosity)
+from harness.arrays import Array
 
 
 def concentration(
     z: ArrayLike, *, height: float, peclet: float, upstream: float = 1.0, downstream: float = 0.0
-) -> NDArray[np.float64]:
+) -> Array:
     """Concentration between the upstream face z = -h/2 and the downstream face z = h/2.
 
-    Parameters
-    ----------
-    z : array_like
-        Position, mm.
-    height, peclet : float
-        h (mm); Pe, of either sign; the limit Pe = 0 is the straight line.
-    upstream, downstream : float
-        c_u and c_d, mM.
-
-    Returns
-    -------
-    ndarray
-        c, mM, in the shape of `z`: c_u + (c_d - c_u) (e^{Pe x} - 1)/(e^{Pe} - 1), x = z/h + 1/2, which is equation 3.4
-        in a form that does not overflow.
+    z: position, mm.
+    height, peclet: h (mm); Pe, of either sign; the limit Pe = 0 is the straight line.
+    upstream, downstream: c_u and c_d, mM.
+    Returns: c, mM, in the shape of `z`: c_u + (c_d - c_u) (e^{Pe x} - 1)/(e^{Pe} - 1), x = z/h + 1/2, which is equation
+        3.4 in a form that does not overflow.
     """
     x = np.asarray(z, dtype=float) / height + 0.5
     return np.asarray(upstream + (downstream - upstream) * _progress(x, peclet))
 
 
-def _progress(x: NDArray[np.float64], peclet: float) -> NDArray[np.float64]:
+def _progress(x: Array, peclet: float) -> Array:
     """(e^{Pe x} - 1)/(e^{Pe} - 1) for 0 <= x <= 1."""
     if peclet == 0.0:
         return x

@@ -5,51 +5,32 @@ Source: Ateshian, Maas, Weiss (2012), J Biomech 45(6):1023-1027, section 3.1. De
 mu_n = (n - 1/2) pi, and 1 = SUM a_n cos(mu_n xi) gives a_n = 2 sin(mu_n)/mu_n = -(4/pi) (-1)^n/(2n - 1).
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-_NEGLIGIBLE = 45.0
-"""Exponent beyond which a term is below 3e-20."""
+from harness.arrays import Array
+
+_NEGLIGIBLE = 45.0  # exponent beyond which a term is below 3e-20
 _MOST_TERMS = 20_000
 
 
-def concentration(
-    z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: float, ambient: float = 1.0
-) -> NDArray[np.float64]:
+def concentration(z: ArrayLike, t: ArrayLike, *, height: float, diffusivity: float, ambient: float = 1.0) -> Array:
     """Concentration in a slab -h/2 <= z <= h/2 that was empty at t = 0.
 
-    Parameters
-    ----------
-    z, t : array_like
-        Position (mm) and time (s, > 0); broadcast against each other.
-    height, diffusivity, ambient : float
-        h (mm), d (mm^2/s), and the ambient concentration c* (mM) at z = -h/2.
-
-    Returns
-    -------
-    ndarray
-        c, mM, in the broadcast shape.
-
-    Raises
-    ------
-    ValueError
-        For a time that is not positive, a position outside, or data that are not positive.
+    z, t: position (mm) and time (s, > 0); broadcast against each other.
+    height, diffusivity, ambient: h (mm), d (mm^2/s), and the ambient concentration c* (mM) at z = -h/2.
+    Returns: c, mM, in the broadcast shape.
+    Raises ValueError for a time that is not positive, a position outside, or data that are not positive.
     """
     position, time = np.broadcast_arrays(np.asarray(z, dtype=float), np.asarray(t, dtype=float))
     if np.any(time <= 0.0) or height <= 0.0 or diffusivity <= 0.0:
         raise ValueError("time, height and diffusivity must be positive")
     if np.any(np.abs(position) > height / 2 * (1 + 1e-9)):
         raise ValueError("z must lie between -h/2 and h/2")
-    n = np.arange(1, _terms(diffusivity * float(time.min(initial=np.inf)) / height**2) + 1)
+    tau = diffusivity * float(time.min(initial=np.inf)) / height**2
+    n = np.arange(1, min(_MOST_TERMS, 2 + int(np.sqrt(_NEGLIGIBLE / tau) / np.pi)) + 1)
     mu = (n - 0.5) * np.pi
     xi = (0.5 - position / height)[..., None]
     decay = np.exp(-(mu**2) * diffusivity * time[..., None] / height**2)
     series = np.sum((-1.0) ** n / (2 * n - 1) * np.cos(mu * xi) * decay, axis=-1)
     return np.asarray(ambient * (1.0 + 4.0 / np.pi * series))
-
-
-def _terms(tau: float) -> int:
-    """Number of terms after which exp(-mu^2 tau) is negligible."""
-    return min(_MOST_TERMS, 2 + int(np.sqrt(_NEGLIGIBLE / tau) / np.pi))

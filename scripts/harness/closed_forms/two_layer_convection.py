@@ -10,12 +10,12 @@ outlet gives, with P_i = W_i L_i/G_i,
 The solvent flux w is equal in both layers, W need not be; for W1 = W2 = W the first two terms are (e^{P1+P2} - 1)/W.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
+
+from harness.arrays import Array
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ def solute_flux(first: Layer, second: Layer, given: Conditions) -> float:
     return float((given.upstream * np.exp(first.peclet(given.flux)) * gain - given.downstream) / resistance)
 
 
-def concentration(z: ArrayLike, first: Layer, second: Layer, given: Conditions) -> NDArray[np.float64]:
+def concentration(z: ArrayLike, first: Layer, second: Layer, given: Conditions) -> Array:
     """Effective concentration c~ (mM) at the distances `z` (mm) from the inlet; at z = L1 that of the first layer."""
     j = solute_flux(first, second, given)
     position = np.asarray(z, dtype=float)
@@ -74,9 +74,7 @@ def concentration(z: ArrayLike, first: Layer, second: Layer, given: Conditions) 
     return np.asarray(np.where(position <= first.thickness, below, above))
 
 
-def _within(
-    layer: Layer, s: NDArray[np.float64], entry: float | NDArray[np.float64], fluxes: tuple[float, float]
-) -> NDArray[np.float64]:
+def _within(layer: Layer, s: Array, entry: float | Array, fluxes: tuple[float, float]) -> Array:
     """c~ at the distance `s` (mm) from the entry of a layer: c~_in e^{Ws/G} - j (e^{Ws/G} - 1)/W; fluxes (j, w)."""
     j, flux = fluxes
     w, g = layer.convection(flux), layer.conductance

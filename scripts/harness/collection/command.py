@@ -1,7 +1,5 @@
 """The command that writes the collection in models/, or a knee."""
 
-from __future__ import annotations
-
 from enum import Enum
 from pathlib import Path
 from typing import Annotated
@@ -9,17 +7,17 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
-from harness.collection import kept_models as collection
 from harness.errors import HarnessError
-from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.models.knee.bearing import Load
 from harness.models.knee.tissues import TISSUES, Bodies
 from harness.models.knee.whole_knee import Knee
 from harness.models.knee.whole_mesh import Size
-from harness.paths import MODELS
+from harness.paths import MODELS, REPOSITORY, is_checkout
 
 console = Console(highlight=False, soft_wrap=True)
+SOURCE = REPOSITORY / "models" if is_checkout() else Path(__file__).with_name("models")
+"""Where the files of the collection are; a wheel has them beside this module."""
 
 
 class Family(str, Enum):
@@ -63,11 +61,14 @@ def models(
     interface = InterfaceType.MIXTURE if contact is Whose.MIXTURE else TISSUES[bodies].theirs
     if friction and interface is InterfaceType.SOLUTE:
         raise typer.BadParameter(f"FEBio's {interface.value} has no friction", param_hint="--friction")
-    _write(Knee(interface, size, load, friction, name=output.stem, bodies=bodies).model(), output)
+    try:
+        made = Knee(interface, size, load, friction, name=output.stem, bodies=bodies).model()
+        console.print(str(made.write(output.parent)))
+    except OSError as error:
+        raise HarnessError(f"{output}: {error.strerror}; --output takes a file") from error
 
 
-_OF_KNEE, _OF_COLLECTION = ("size", "bodies", "load", "contact", "friction", "output"), ("folder", "check")
-"""Options."""
+_OF_KNEE, _OF_COLLECTION = ("size", "bodies", "load", "contact", "friction", "output"), ("folder", "check")  # options
 
 
 def _refuse_others(ctx: typer.Context, others: tuple[str, ...]) -> None:
@@ -79,18 +80,15 @@ def _refuse_others(ctx: typer.Context, others: tuple[str, ...]) -> None:
             raise typer.BadParameter(f"it belongs to {belongs}", param_hint=f"--{name}")
 
 
-def _write(model: Model, output: Path) -> None:
-    try:
-        console.print(str(model.write(output.parent)))
-    except OSError as error:
-        raise HarnessError(f"{output}: {error.strerror}; --output takes a file") from error
-
-
 def _collection(folder: Path, check: bool) -> None:
-    if not check:
-        for path in collection.write(folder):
-            console.print(str(path))
+    kept = {path.name: path.read_bytes() for path in sorted(SOURCE.glob("*.feb"))}
+    if check:
+        places = {name: folder / name for name in kept}
+        old = [name for name, place in places.items() if not place.is_file() or place.read_bytes() != kept[name]]
+        if old:
+            raise HarnessError(f"not those of the collection: {', '.join(old)} in {folder}; `models` writes them again")
         return
-    old = collection.outdated(folder)
-    if old:
-        raise HarnessError(f"not those of the collection: {', '.join(old)} in {folder}; `models` writes them again")
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in kept.items():
+        (folder / name).write_bytes(content)
+        console.print(str(folder / name))

@@ -1,9 +1,7 @@
 """The command `convert`."""
 
-from __future__ import annotations
-
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -51,7 +49,9 @@ def convert(
     _check_folder(model, target, converted.reads)
     _check_target(model, target, converted.files)
     files = {**converted.included, target: converted.data}
-    _check_free(converted.included)
+    for path, data in converted.included.items():  # what is there is not written over, unless it is the same
+        if path.exists() and path.read_bytes() != data:
+            raise HarnessError(f"{path}, for the contacts of an included file, exists already; move or delete it first")
     for path, data in files.items():
         _write(path, data)
     for part, changes in converted.changes.items():
@@ -83,13 +83,6 @@ def _check_target(model: Path, target: Path, read: Iterable[Path]) -> None:
     others = (file for file in read if file.resolve() != model.resolve())
     if any(file.resolve() == target.resolve() for file in others):
         raise HarnessError(f"{model} reads {target}; name another --output")
-
-
-def _check_free(included: Mapping[Path, bytes]) -> None:
-    """What is there is not written over, unless it is the same."""
-    for path, data in included.items():
-        if path.exists() and path.read_bytes() != data:
-            raise HarnessError(f"{path}, for the contacts of an included file, exists already; move or delete it first")
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -1,6 +1,4 @@
-"""Puts refusals, changes and edits together."""
-
-from __future__ import annotations
+"""What a switch of contacts would change in the physics, so that it is not made, and the edits that make it."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -15,10 +13,11 @@ from harness.conversion.fates import (
     WRITTEN,
     Action,
     Change,
+    Changes,
     fate,
     missing,
+    rewritten,
 )
-from harness.conversion.refusals import refusals
 from harness.conversion.sources import Located, Sources
 from harness.conversion.spans import Edit
 from harness.errors import ModelError
@@ -33,56 +32,36 @@ from harness.preflight.levels import prescribed_nodes
 from harness.preflight.model import Model
 from harness.preflight.sides import Joint
 
-NOT_OURS = {
-    "concentration gap": "contact solute jump",
-    "contact status": "contact coverage",
-    "contact penalty": "",
-}
+NOT_OURS = {"concentration gap": "contact solute jump", "contact status": "contact coverage", "contact penalty": ""}
 """Plot variables that know FEBio's own contact classes only, and what takes their place."""
+KNOWN_TO_SOLUTE = ("biphasic", "biphasic-solute")  # porous materials that sliding-biphasic-solute takes for porous
 
 
 @dataclass(frozen=True)
 class Converted:
-    """A converted model.
+    """A converted model."""
 
-    Attributes
-    ----------
-    data : bytes
-        The new model file.
-    included : dict of Path to bytes
-        New files beside included ones, with the contacts of these.
-    changes : dict of str to list of Change
-        By contact, or by another part of the model.
-    reads : tuple of str
-        Other files that the model names.
-    files : tuple of Path
-        All files of the old model.
-    """
-
-    data: bytes
-    included: Mapping[Path, bytes]
-    changes: Mapping[str, list[Change]]
-    reads: tuple[str, ...]
-    files: tuple[Path, ...]
+    data: bytes  # the new model file
+    included: Mapping[Path, bytes]  # new files beside included ones, with the contacts of these
+    changes: Mapping[str, list[Change]]  # by contact, or by another part of the model
+    reads: tuple[str, ...]  # other files that the model names
+    files: tuple[Path, ...]  # all files of the old model
 
 
 def convert(path: Path) -> Converted:
     """Switch contacts of FEBio's sliding types to `sliding-mixture`, and those of its tied types to `tied-mixture`.
 
-    Raises
-    ------
-    ModelError
-        The file cannot be read, has nothing to convert, or converting would change the physics or make a model that
-        does not run; says all the reasons.
+    Raises ModelError, with all reasons, where the file cannot be read, has nothing to convert, or converting would
+    change the physics or make a model that does not run.
     """
     model = models.read(path)
     joints = [Joint(model, contact) for contact in (*model.contacts, *model.ties)]
-    if not any(_is_convertible(joint) and not tied_contacts.stays(joint) for joint in joints):
+    if all(joint.contact.kind.is_mixture or tied_contacts.stays(joint) for joint in joints):
         found = ", ".join(sorted({joint.contact.kind.name for joint in joints}))
         known = ", ".join((*CONVERTIBLE, *CONVERTIBLE_TIES))
         stay = "".join(f"; {reason}" for reason in dict.fromkeys(filter(None, map(tied_contacts.stays, joints))))
         raise ModelError(f"{path}: has nothing to convert: its contacts are {found}; {known} can be{stay}")
-    _refuse(path, list(refusals(model)))
+    _refuse(path, list(_refusals(model)))
     files = sources.read(path)
     edits, changes = _edits(files, model)
     sources.redirect(files, edits)
@@ -109,12 +88,37 @@ def _refuse(path: Path, reasons: list[str]) -> None:
         raise ModelError(f"{path} is not converted:\n{listed}")
 
 
+def _refusals(model: Model) -> Iterator[str]:
+    """Reasons not to convert, one sentence each; none where the physics stays."""
+    theirs = [contact for contact in model.contacts if not contact.kind.is_mixture]
+    for contact in theirs:
+        yield from _of_materials(Joint(model, contact))
+    for contact in theirs:
+        if contact.given("fric_coeff") is not None and "fric_coeff" not in contact.kind.parameters:
+            yield f"{documents.place(contact.tag)}: {contact.kind.name} has no parameter <fric_coeff>; FEBio stops"
+
+
+def _of_materials(joint: Joint) -> Iterator[str]:
+    """To FEBio's types a surface is impermeable to what they do not know; `sliding-mixture` would exchange it."""
+    kind, where = joint.contact.kind, documents.place(joint.contact.tag)
+    for side in joint.sides:
+        name = side.surface.name
+        for material in side.kinds:
+            seen = f"surface '{name}' has material '{material.name}' ({material.kind})"
+            if material.solutes and kind.solvent and not kind.solutes:
+                yield (
+                    f"{where}: {seen}: {kind.name} leaves its surfaces impermeable to solutes, but sliding-mixture "
+                    "would exchange them and prescribe the ambient concentration at open nodes"
+                )
+            elif kind.name == "sliding-biphasic-solute" and material.porous and material.kind not in KNOWN_TO_SOLUTE:
+                yield f"{where}: {seen}: {kind.name} treats it as a solid without fluid, and sliding-mixture does not"
+
+
 def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[str, list[Change]]]:
     edits: dict[Path, list[Edit]] = {}
     changes: dict[str, list[Change]] = {}
     for number, (contact, joint) in enumerate(_joints(files, model), 1):
-        kind = contact.span.attributes.get("type", "")
-        if joint is None or not _is_convertible(joint):
+        if joint is None or joint.contact.kind.is_mixture:
             continue
         if reason := tied_contacts.stays(joint):
             stays = Change(Action.KEPT, "type", contact.span.line, f"stays: {reason}")
@@ -122,7 +126,8 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
             continue
         data, is_tie = files.data[contact.file], joint.contact.kind.is_tie
         new = TIED if is_tie else MIXTURE
-        own = [Change(Action.MAPPED, "type", contact.span.line, f"{kind} becomes {new}")]
+        old = contact.span.attributes.get("type", "")
+        own = [Change(Action.MAPPED, "type", contact.span.line, f"{old} becomes {new}")]
         found = edits.setdefault(contact.file, [])
         found.append(spans.attribute(data, contact.span, "type", new))
         for edit, change in (tied_contacts.parameters if is_tie else _parameters)(data, contact.span, joint):
@@ -134,10 +139,6 @@ def _edits(files: Sources, model: Model) -> tuple[dict[Path, list[Edit]], dict[s
     for change in _output(files):
         changes.setdefault("output", []).append(change)
     return edits, changes
-
-
-def _is_convertible(joint: Joint) -> bool:
-    return joint.contact.kind.name in (*CONVERTIBLE, *CONVERTIBLE_TIES)
 
 
 def _title(contact: Located, number: int, model: Path) -> str:
@@ -154,30 +155,19 @@ def _joints(files: Sources, model: Model) -> Iterator[tuple[Located, Joint | Non
         yield contact, Joint(model, next(known)) if known is not None else None
 
 
-def _impermeable(joint: Joint) -> bool:
-    """Whether a contact of FEBio's that knows traction alone stands between bodies one of which has fluid."""
-    return not joint.contact.kind.solvent and any(side.porous for side in joint.sides)
-
-
-def _parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
-    kind, impermeable, rubs = joint.contact.kind, _impermeable(joint), joint.contact.has_friction
-    for child in contact.children:
-        value = spans.text(data, child)
-        change = fate(kind, child.tag, value, rubs=rubs)(child.line)
-        yield [spans.removal(data, child)] if change.action is Action.DROPPED else [], change
+def _parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
+    kind, rubs = joint.contact.kind, joint.contact.has_friction
+    impermeable = not kind.solvent and any(side.porous for side in joint.sides)
     names = missing(kind, {child.tag for child in contact.children})
     written = [(name, DEFAULT, WRITTEN[name]) for name in names]
     parameters = IMPERMEABLE_WITH_FRICTION if rubs else IMPERMEABLE
     written += [(name, value, TRACTION_ALONE) for name, value in parameters.items() if impermeable]
-    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
-    for place, (name, value, reason) in enumerate(written):
-        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
-        yield spans.insertion(data, contact, lines) if place == 0 else [], change
+    return rewritten(data, contact, lambda name, value: fate(kind, name, value, rubs=rubs), written)
 
 
 def _prescribed(model: Model) -> Iterator[Change]:
     """Nodes that a boundary condition holds: they stay so in contact and outside."""
-    for contact in (c for c in model.contacts if c.kind.name in CONVERTIBLE):
+    for contact in (contact for contact in model.contacts if not contact.kind.is_mixture):
         for prescribed in prescribed_nodes(Joint(model, contact)):
             where = f"{prescribed.nodes} nodes of the contact have this condition; sliding-mixture keeps it"
             why = f"{contact.kind.name} does so in contact, and sets the ambient value where they are open"

@@ -1,13 +1,14 @@
 """What becomes of each parameter of FEBio's sliding interfaces, and why: the table of docs/reference/from-febio.md."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from harness.conversion import spans
+from harness.conversion.spans import Edit
+from harness.preflight.byte_spans import Span
 from harness.preflight.contact_types import UNLIMITED_SEARCH, ContactType
-from harness.preflight.xml_file import is_on
+from harness.preflight.xml_file import as_number, is_on
 
 
 class Action(str, Enum):
@@ -26,6 +27,9 @@ class Change:
     name: str
     line: int
     reason: str
+
+
+Changes = Iterator[tuple[list[Edit], Change]]  # edits of a file, and what each of them does
 
 
 DROPPED = {
@@ -66,6 +70,8 @@ ZERO = {
     "sliding-mixture is then automatic, and the contact acts",
 }
 """What 0 means, of parameters that may be 0."""
+WITHOUT_LIMIT = "FEBio has no limit with 0; the radius of sliding-mixture is then automatic"
+SYMMETRIC = "a symmetric tangent needs more iterations for the same solution; the default tangent is complete"
 DEFAULT = "1"
 """FEBio's default of each of these, where `sliding-mixture` chooses by itself: written, so the penalties stay."""
 _PENALTY = "convert writes FEBio's default; an automatic penalty would be more accurate and give a different answer"
@@ -89,40 +95,19 @@ TRACTION_ALONE = (
 """What keeps fluid and solutes of the bodies where FEBio's type does, and friction acting on all of the traction."""
 
 
-def fate(kind: ContactType, name: str, value: str, *, rubs: bool = False) -> Callable[[int], Change]:
-    """What becomes of a parameter with a value, for a contact of a type, as a function of its line.
-
-    `rubs`: the contact has friction.
-    """
-    action, reason = _fate(kind, name, value) if rubs else _frictionless_fate(kind, name, value)
-    return lambda line: Change(action, name, line, reason)
-
-
-def _frictionless_fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
-    if name in ("contact_frac", "smooth_fls", "fric_penalty", "ktmult"):
+def fate(kind: ContactType, name: str, value: str, *, rubs: bool) -> tuple[Action, str]:
+    """What becomes of a parameter with a value, for a contact of a type, and why; `rubs`: the contact has friction."""
+    if not rubs and name in ("contact_frac", "smooth_fls", "fric_penalty", "ktmult"):
         return Action.DROPPED, "has an effect with friction alone"
-    if name == "fric_coeff" and not is_zero(value):
+    if not rubs and name == "fric_coeff" and as_number(value) != 0.0:
         return Action.DROPPED, NO_FRICTION[kind.name]
-    return _fate(kind, name, value)
-
-
-def _fate(kind: ContactType, name: str, value: str) -> tuple[Action, str]:
     if name in DROPPED:
         return Action.DROPPED, DROPPED[name]
-    if name in ZERO and is_zero(value):
-        return Action.KEPT, _zero(kind, name)
+    if name in ZERO and as_number(value) == 0.0:
+        return Action.KEPT, WITHOUT_LIMIT if name == "search_radius" and kind.name in UNLIMITED_SEARCH else ZERO[name]
     if name == "symmetric_stiffness" and is_on(value):
-        return (
-            Action.DROPPED,
-            "a symmetric tangent needs more iterations for the same solution; the default tangent is complete",
-        )
+        return Action.DROPPED, SYMMETRIC
     return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
-
-
-def _zero(kind: ContactType, name: str) -> str:
-    if name == "search_radius" and kind.name in UNLIMITED_SEARCH:
-        return "FEBio has no limit with 0; the radius of sliding-mixture is then automatic"
-    return ZERO[name]
 
 
 def missing(kind: ContactType, given: set[str]) -> Iterator[str]:
@@ -131,9 +116,22 @@ def missing(kind: ContactType, given: set[str]) -> Iterator[str]:
     return (name for name in known if name != "search_radius" or "tension" in given)
 
 
-def is_zero(value: str) -> bool:
-    """Whether the text of a parameter is the number 0."""
-    try:
-        return float(value) == 0.0
-    except ValueError:
-        return False
+def rewritten(
+    data: bytes,
+    contact: Span,
+    fate_of: Callable[[str, str], tuple[Action, str]],
+    written: Sequence[tuple[str, str, str]],
+) -> Changes:
+    """Edits of the parameters of a contact, and what each does.
+
+    fate_of: what becomes of a parameter of a name and a value, and why.
+    written: name, value and reason of each parameter that is added.
+    """
+    for child in contact.children:
+        action, reason = fate_of(child.tag, spans.text(data, child))
+        gone = [] if action is Action.KEPT else [spans.removal(data, child)]
+        yield gone, Change(action, child.tag, child.line, reason)
+    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
+    for place, (name, value, reason) in enumerate(written):
+        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
+        yield spans.insertion(data, contact, lines) if place == 0 else [], change

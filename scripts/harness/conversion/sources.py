@@ -1,7 +1,5 @@
 """The files of a model in bytes, with its sections in the order in which FEBio reads them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -35,23 +33,12 @@ class Reference:
 
 @dataclass(frozen=True)
 class Sources:
-    """All files of a model.
+    """All files of a model."""
 
-    Attributes
-    ----------
-    document : Document
-        What they say, in the format in which they are written.
-    data : dict of Path to bytes
-    located : dict of Element to Located
-        All elements of the files.
-    references : tuple of Reference
-        One before those in the file that it names.
-    """
-
-    document: Document
+    document: Document  # what they say, in the format in which they are written
     data: Mapping[Path, bytes]
-    located: Mapping[Element, Located]
-    references: tuple[Reference, ...]
+    located: Mapping[Element, Located]  # all elements of the files
+    references: tuple[Reference, ...]  # one before those in the file that it names
 
     def all(self, *names: str) -> Iterator[Located]:
         """Elements on a path of tags below <febio_spec>."""
@@ -65,12 +52,7 @@ class Sources:
 
 
 def read(model: Path) -> Sources:
-    """The files of a model that can be read.
-
-    Raises
-    ------
-    ModelError
-    """
+    """The files of a model that can be read. Raises ModelError."""
     document = xml_file.read(model)
     roots = [(model, document.root), *((reference.file, reference.root) for reference in document.references)]
     data = {file: xml_file.content(file) for file, _ in roots}
@@ -95,10 +77,7 @@ def converted_name(path: Path) -> Path:
 def redirect(sources: Sources, edits: dict[Path, list[Edit]]) -> None:
     """Has files with edits read by their new names, and so on up to the model.
 
-    Raises
-    ------
-    ModelError
-        A name is written with entities.
+    Raises ModelError where a name is written with entities.
     """
     for reference in reversed(sources.references):
         if reference.target in edits:

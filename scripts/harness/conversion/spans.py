@@ -1,7 +1,5 @@
 """Changes to the bytes of an XML file that leave all others alone."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -74,7 +72,7 @@ def insertion(data: bytes, parent: Span, lines: Iterable[str]) -> list[Edit]:
     newline = b"\r\n" if b"\r\n" in data else b"\n"
     outer = _indent(data, parent.start)
     below = [child for child in parent.children if child.line > parent.line]
-    inner = _indent(data, below[0].start) if below else outer + _step(outer)
+    inner = _indent(data, below[0].start) if below else outer + (b"\t" if outer.startswith(b"\t") else b"  ")
     made = b"".join(newline + inner + line.encode() for line in lines)
     if not made:
         return []
@@ -90,7 +88,3 @@ def _indent(data: bytes, at: int) -> bytes:
     """White space at the beginning of a line."""
     line = data[data.rfind(b"\n", 0, at) + 1 : at]
     return line[: len(line) - len(line.lstrip())]
-
-
-def _step(outer: bytes) -> bytes:
-    return b"\t" if outer.startswith(b"\t") else b"  "

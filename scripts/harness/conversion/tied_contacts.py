@@ -1,20 +1,17 @@
 """What becomes of FEBio's tied contacts: `tied-mixture`."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
 
 from harness.conversion import spans
-from harness.conversion.fates import NO_DIFFERENCE, Action, Change, is_zero
-from harness.conversion.spans import Edit
+from harness.conversion.fates import NO_DIFFERENCE, Action, Change, Changes, rewritten
 from harness.preflight.byte_spans import Span
-from harness.preflight.contact_types import ANY_DISTANCE, STICKY, keeps_gaps
+from harness.preflight.contact_types import ANY_DISTANCE, STICKY
 from harness.preflight.sides import SIDES, Joint
+from harness.preflight.xml_file import as_number
 
-TOUCHING = 1e-6
-"""Gap over the width of the facets below which surfaces touch."""
+TOUCHING = 1e-6  # gap over the width of the facets below which surfaces touch
 
 DROPPED = {
     "two_pass": "each condition occurs once; two passes would hold each node twice",
@@ -38,8 +35,8 @@ KEPT = {
     "node_reloc": "nodes move along their normals instead of to the closest point",
 }
 """What differs in parameters that stay."""
-NEVER = 1e6
-"""Times the strength in tension: a strength in shear that no load reaches."""
+BREAKS = "broken nodes are in sliding contact, whereas sticky ties them again"
+NEVER = 1e6  # times the strength in tension: a strength in shear that no load reaches
 _PENALTY = "convert writes FEBio's default; an automatic penalty would leave far smaller gaps"
 _LIMITLESS = (
     "convert writes a radius, because FEBio's type has no limit; the default ties no nodes farther than a quarter of "
@@ -70,26 +67,20 @@ def _touching(joint: Joint) -> float:
     return TOUCHING * float(np.sqrt(np.median(joint.primary.area)))
 
 
-def parameters(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[list[Edit], Change]]:
+def parameters(data: bytes, contact: Span, joint: Joint) -> Changes:
     """Edits of the parameters of a tie, and what each does."""
     if joint.contact.kind.name in ANY_DISTANCE:
         joint = joint.facing()
     yield from (([], change) for change in _kept_gap(contact, joint))
-    for child in contact.children:
-        change = _fate(joint, child, spans.text(data, child))
-        gone = change.action is not Action.KEPT
-        yield [spans.removal(data, child)] if gone else [], change
     written = list(_written(data, contact, joint))
-    lines = [f"<{name}>{value}</{name}>" for name, value, _ in written]
-    for number, (name, value, reason) in enumerate(written):
-        change = Change(Action.MAPPED, name, contact.line, f"{value}: {reason}")
-        yield spans.insertion(data, contact, lines) if number == 0 else [], change
+    yield from rewritten(data, contact, lambda name, value: _fate(joint, name, value), written)
 
 
 def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
     """What becomes of a gap that FEBio's type would close under stress."""
     kind, tie = joint.contact.kind, joint.contact
-    if keeps_gaps(kind, has_offset=tie.on("gap_offset")) or tie.on("node_reloc"):
+    keeps_gap = kind.name not in ANY_DISTANCE or (kind.name == "tied-facet-on-facet" and tie.on("gap_offset"))
+    if keeps_gap or tie.on("node_reloc"):
         return
     apart = joint.largest_gap
     if apart > _touching(joint):
@@ -102,30 +93,19 @@ def _kept_gap(contact: Span, joint: Joint) -> Iterator[Change]:
         )
 
 
-def _fate(joint: Joint, child: Span, value: str) -> Change:
-    name = child.tag
-    if joint.contact.kind.name == STICKY and name in ("flip_secondary", "max_traction"):
-        return _sticky_fate(joint, child)
+def _fate(joint: Joint, name: str, value: str) -> tuple[Action, str]:
+    if joint.contact.kind.name == STICKY and name == "flip_secondary":
+        return Action.DROPPED, "convert writes it again if the surface must be flipped"
+    if joint.contact.kind.name == STICKY and name == "max_traction":
+        breaks = joint.contact.value(name, 0.0) > 0.0
+        return (Action.KEPT, BREAKS) if breaks else (Action.DROPPED, "the tie cannot break, as in FEBio")
     if name in DROPPED:
-        return Change(Action.DROPPED, name, child.line, DROPPED[name])
+        return Action.DROPPED, DROPPED[name]
     if name in ("gaptol", "ptol", "ctol") and value.startswith("-"):
-        return Change(Action.DROPPED, name, child.line, "a negative tolerance has no effect in FEBio")
+        return Action.DROPPED, "a negative tolerance has no effect in FEBio"
     if name == "max_distance":
-        return Change(Action.MAPPED, name, child.line, "becomes <search_radius>, which acts along normals")
-    return Change(Action.KEPT, name, child.line, KEPT.get(name, NO_DIFFERENCE))
-
-
-def _sticky_fate(joint: Joint, child: Span) -> Change:
-    if child.tag == "flip_secondary":
-        return Change(Action.DROPPED, child.tag, child.line, "convert writes it again if the surface must be flipped")
-    if not joint.contact.value(child.tag, 0.0) > 0.0:
-        return Change(Action.DROPPED, child.tag, child.line, "the tie cannot break, as in FEBio")
-    return Change(
-        Action.KEPT,
-        child.tag,
-        child.line,
-        "broken nodes are in sliding contact, whereas sticky ties them again",
-    )
+        return Action.MAPPED, "becomes <search_radius>, which acts along normals"
+    return Action.KEPT, KEPT.get(name, NO_DIFFERENCE)
 
 
 def _written(data: bytes, contact: Span, joint: Joint) -> Iterator[tuple[str, str, str]]:
@@ -150,17 +130,14 @@ def _of_any_distance(joint: Joint, limit: str) -> Iterator[tuple[str, str, str]]
     for which in SIDES:
         if (which in joint.turned) != (is_sticky and joint.contact.on(f"flip_{which}")):
             yield f"flip_{which}", "1", "its facets face away from the other surface, which FEBio's type ignores"
-    if not is_zero(limit):
+    if as_number(limit) != 0.0:
         yield "search_radius", limit, "was <max_distance>"
     elif joint.largest_gap > 0:
         yield "search_radius", f"{1.1 * joint.largest_gap:.6g}", _LIMITLESS
     strength = joint.contact.value("max_traction", 0.0)
     if strength > 0.0:
-        yield (
-            "max_shear",
-            f"{NEVER * strength:.6g}",
-            "an unreachable value, because FEBio's type does not break in shear",
-        )
+        why = "an unreachable value, because FEBio's type does not break in shear"
+        yield "max_shear", f"{NEVER * strength:.6g}", why
 
 
 def _effects(joint: Joint) -> str:

@@ -5,8 +5,6 @@
 >>> model.contact_.add_contact(SlidingMixture(surface_pair="joint", fric_coeff=0.02))
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, TypeAlias
 
 from pydantic import BeforeValidator
@@ -16,17 +14,10 @@ from pyfebio.model import Model
 
 
 class Varying(BaseXmlModel, validate_assignment=True):
-    """A number, which may follow a load curve.
-
-    Attributes
-    ----------
-    text : float
-    lc : int, optional
-        Number of the load curve that multiplies it.
-    """
+    """A number, which may follow a load curve."""
 
     text: float
-    lc: int | None = attr(default=None)
+    lc: int | None = attr(default=None)  # number of the load curve that multiplies it
 
 
 class AmbientConcentration(Varying):

@@ -1,7 +1,5 @@
 """Draws figure 3.4 of Ateshian, Maas and Weiss (2012), and what problem 3.3 is judged by over time."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -16,8 +14,7 @@ from harness.run.runner import RunResult
 
 FIELDS, CURVES = "figure-3.4", "indentation-curves"
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
-PLANE = Section(mirrored=True)
-"""The plane z = 0 and its mirror image."""
+PLANE = Section(mirrored=True)  # the plane z = 0 and its mirror image
 
 
 def draw(result: RunResult, curves: Curves, folder: Path) -> list[Path]:

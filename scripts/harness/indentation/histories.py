@@ -1,13 +1,10 @@
 """What problem 3.3 is judged by, over time: force, width of contact, contents, outflow, extremes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Mask
 from harness.models.document import Model
 from harness.post import contact_line, solute_balance
 from harness.post.solute_balance import State
@@ -16,32 +13,20 @@ from harness.run.runner import RunResult
 
 @dataclass(frozen=True)
 class Curves:
-    """Numbers over time, each of shape (n_times,); those of the first time describe the initial state.
+    """Numbers over time, each of shape (n_times,); those of the first time describe the initial state."""
 
-    Attributes
-    ----------
-    times : ndarray
-        s.
-    force : ndarray
-        Force by which the round body's flat top is pressed down, N (of the modelled half or quarter).
-    half_width : ndarray
-        Of the contact in the plane z = 0, along x, mm: midway between the slab's last node in contact and the first
-        one at ambient values.
-    slab, cylinder : ndarray
-        Solute in each body, nmol.
-    outflow : ndarray
-        Solute that has left the bodies, nmol: what has left at the nodes of both contact surfaces, because what
-        contact takes from one surface it gives to the other.
-    lowest, highest : ndarray
-        Extremes of c~ over all nodes, mM.
-    """
-
-    times: Array
-    force: Array
+    times: Array  # s
+    force: Array  # force by which the round body's flat top is pressed down, N (of the modelled half or quarter)
+    # Of the contact in the plane z = 0, along x, mm: midway between the slab's last node in contact and the first one
+    # at ambient values.
     half_width: Array
+    # Solute in each body, nmol.
     slab: Array
     cylinder: Array
+    # Solute that has left the bodies, nmol: what has left at the nodes of both contact surfaces, because what contact
+    # takes from one surface it gives to the other.
     outflow: Array
+    # Extremes of c~ over all nodes, mM.
     lowest: Array
     highest: Array
 
@@ -87,6 +72,6 @@ def _outflow(model: Model, states: list[State], times: Array) -> Array:
     return np.cumsum(left)
 
 
-def is_open(state: State) -> NDArray[np.bool_]:
+def is_open(state: State) -> Mask:
     """Nodes at the ambient p~ = 0 and c~ = 0, to the last digit."""
     return np.asarray((state.pressure == 0.0) & (state.concentration == 0.0))

@@ -1,7 +1,5 @@
 """What can be said of problem 3.3 without a closed form, as numbers with tolerances."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from harness.arrays import Ids
@@ -14,12 +12,9 @@ from harness.post.compare import Measure
 from harness.post.solute_balance import State
 from harness.run.runner import RunResult
 
-BALANCE = 1e-6
-"""Solute out of nowhere, relative to the initial content; Newton's tolerance on increments is 1e-3."""
-RESOLVED = 100.0
-"""s from which on fronts, of width sqrt(d t), are wider than an element of the slab."""
-DISCRETE = 0.01
-"""What the mesh leaves open: the contents on the two finer meshes of the study differ by as much."""
+BALANCE = 1e-6  # solute out of nowhere, relative to the initial content; Newton's tolerance on increments is 1e-3
+RESOLVED = 100.0  # s from which on fronts, of width sqrt(d t), are wider than an element of the slab
+DISCRETE = 0.01  # what the mesh leaves open: the contents on the two finer meshes of the study differ by as much
 
 
 def of_a_run(result: RunResult, curves: Curves) -> list[Measure]:

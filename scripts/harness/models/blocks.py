@@ -1,51 +1,33 @@
 """Meshes put together from mapped blocks: merging, boundary facets."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids, Mask
 from harness.models.mesh import Nodes
 
-Points = NDArray[np.float64]
+Points = Array
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 """Corners (from 0) of the faces of a hex8 in FEBio's order, counterclockwise seen from outside."""
-TET_FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
-"""The same of a tet4."""
+TET_FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))  # the same of a tet4
 EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 """Ends of the edges on which nodes 9 to 20 of FEBio's hex20 lie."""
 
 
 @dataclass(frozen=True)
 class Body:
-    """The elements of one body.
+    """The elements of one body."""
 
-    Attributes
-    ----------
-    nodes : ndarray, shape (n_nodes, 3)
-        mm.
-    elements : ndarray of int, shape (n_elements, 4, 6 or 8)
-        Node numbers from 0.
-    """
-
-    nodes: Nodes
-    elements: Ids
+    nodes: Nodes  # shape (n_nodes, 3): mm
+    elements: Ids  # shape (n_elements, 4, 6 or 8): node numbers from 0
 
 
 def structured(points: Points) -> Body:
-    """One block.
-
-    Parameters
-    ----------
-    points : ndarray, shape (n_i + 1, n_j + 1, n_k + 1, 3)
-        Its nodes, mm; a left-handed block is turned over.
-    """
+    """One block of nodes (mm), shape (n_i + 1, n_j + 1, n_k + 1, 3); a left-handed one is turned over."""
     if _is_left_handed(points):
         points = points[:, :, ::-1]
     number = np.arange(points[..., 0].size, dtype=np.int64).reshape(points.shape[:3])
@@ -86,7 +68,7 @@ def boundary(body: Body) -> Ids:
     return np.asarray(facets[np.sort(index[count == 1])], dtype=np.int64)
 
 
-def facets_where(body: Body, inside: Callable[[Points], NDArray[np.bool_]]) -> Ids:
+def facets_where(body: Body, inside: Callable[[Points], Mask]) -> Ids:
     """Outer facets whose nodes all satisfy `inside`, a function of positions of shape (..., 3)."""
     facets = boundary(body)
     return np.asarray(facets[np.all(inside(body.nodes[facets]), axis=1)], dtype=np.int64)

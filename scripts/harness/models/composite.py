@@ -1,7 +1,5 @@
 """A composite slab: diffusion from one face through two layers of different material, solubility included."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -9,16 +7,12 @@ from harness.closed_forms import composite_slab
 from harness.models.layered import Layered
 from harness.models.parts import Mixture, Solid, Solute, concentration, effective_pressure, pressure
 
-AMBIENT = 1.0
-"""mM."""
-CLOSING = 1e-4
-"""mm by which the impermeable face is moved."""
+AMBIENT = 1.0  # mM
+CLOSING = 1e-4  # mm by which the impermeable face is moved
 FIRST = composite_slab.Layer(thickness=1.0, diffusivity=5e-4, porosity=0.8, solubility=1.0)
 SECOND = composite_slab.Layer(thickness=0.75, diffusivity=1e-3, porosity=0.6, solubility=0.5)
-STIFFNESS = (100.0, 50.0)
-"""Young's moduli, MPa."""
-PERMEABILITY = (1e-3, 5e-4)
-"""mm^4/(N s)."""
+STIFFNESS = (100.0, 50.0)  # Young's moduli, MPa
+PERMEABILITY = (1e-3, 5e-4)  # mm^4/(N s)
 
 ABOUT = """\
 Diffusion into a composite slab: two layers of different material are in contact at z = 1 mm.
@@ -44,8 +38,5 @@ class Composite(Layered):
     CLOSING = CLOSING
     MATERIALS: ClassVar = {"first": _material(0, FIRST), "second": _material(1, SECOND)}
     COLUMN = (("lower", "first", FIRST.thickness), ("upper", "second", SECOND.thickness))
-    PRESCRIBED = (
-        pressure("bottom", effective_pressure(AMBIENT)),
-        concentration("bottom", AMBIENT),
-    )
+    PRESCRIBED = (pressure("bottom", effective_pressure(AMBIENT)), concentration("bottom", AMBIENT))
     LOGGED = ("c", "jz")

@@ -1,23 +1,16 @@
 """Confined creep of a biphasic layer that is split in two across the direction of flow."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
 from harness.models.layered import Layered
 from harness.models.parts import Mixture, Solid, normal_load, pressure
 
-HEIGHT = 2.0
-"""mm."""
-MODULUS = 1.0
-"""Aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0."""
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
-LOAD = 1e-4
-"""Step load P0, MPa; small, so that strains are."""
-OVERLAP = 1e-10
-"""mm by which the two halves overlap at first, so that they are in contact when the load comes."""
+HEIGHT = 2.0  # mm
+MODULUS = 1.0  # aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0
+PERMEABILITY = 1e-3  # mm^4/(N s)
+LOAD = 1e-4  # step load P0, MPa; small, so that strains are
+OVERLAP = 1e-10  # mm by which the two halves overlap at first, so that they are in contact when the load comes
 
 ABOUT = """\
 Confined creep of a biphasic layer that is cut in two at half its height.

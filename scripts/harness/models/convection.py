@@ -1,7 +1,5 @@
 """Problem 3.2: steady convection and diffusion through two cubes in contact."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -9,13 +7,10 @@ from harness.models.diffusion import CLOSING, DIFFUSIVITY, HEIGHT
 from harness.models.layered import Layered
 from harness.models.parts import Condition, Control, Mixture, Solid, Solute, concentration, effective_pressure, pressure
 
-UPSTREAM = 1.0
-"""Concentration at the inlet z = -h/2, mM."""
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
+UPSTREAM = 1.0  # concentration at the inlet z = -h/2, mM
+PERMEABILITY = 1e-3  # mm^4/(N s)
 POROSITY = 0.8
-PRESSURES = {0: 0.0, 1: 0.4, 10: 4.0}
-"""Fluid pressure at the inlet (MPa) for each Peclet number."""
+PRESSURES = {0: 0.0, 1: 0.4, 10: 4.0}  # fluid pressure at the inlet (MPa) for each Peclet number
 
 MATERIAL = Mixture(Solid(100.0), PERMEABILITY, POROSITY, (Solute(1, DIFFUSIVITY, DIFFUSIVITY),))
 ABOUT = """\

@@ -1,7 +1,5 @@
 """Problem 3.1: a solute diffuses through two cubes in contact, from one face to an impermeable other one."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.models.layered import Layered
@@ -18,14 +16,10 @@ from harness.models.parts import (
     pressure,
 )
 
-HEIGHT = 2.0
-"""mm, both cubes together."""
-AMBIENT = 1.0
-"""Ambient concentration c*, mM."""
-DIFFUSIVITY = 5e-4
-"""mm^2/s."""
-CLOSING = 1e-3
-"""mm by which the impermeable face is moved, so that the cubes are in contact."""
+HEIGHT = 2.0  # mm, both cubes together
+AMBIENT = 1.0  # ambient concentration c*, mM
+DIFFUSIVITY = 5e-4  # mm^2/s
+CLOSING = 1e-3  # mm by which the impermeable face is moved, so that the cubes are in contact
 
 MATERIAL = Mixture(Solid(10.0), permeability=1e-4, solutes=(Solute(1, DIFFUSIVITY, DIFFUSIVITY),))
 ABOUT = """\
@@ -40,21 +34,14 @@ the concentration c* on one face and no flux through the other."""
 
 @dataclass(frozen=True)
 class Diffusion(Layered):
-    """Choices of problem 3.1.
-
-    Attributes
-    ----------
-    lower, upper : Mixture
-        Materials of the two cubes.
-    ambient : tuple of float
-        Ambient concentration of each solute, mM.
-    """
+    """Choices of problem 3.1."""
 
     control: Control = Control(400, 20.0)
     name: str = "diffusion"
+    # Materials of the two cubes.
     lower: Mixture = MATERIAL
     upper: Mixture = MATERIAL
-    ambient: tuple[float, ...] = (AMBIENT,)
+    ambient: tuple[float, ...] = (AMBIENT,)  # ambient concentration of each solute, mM
 
     ABOUT = ABOUT
     CLOSING = CLOSING

@@ -1,8 +1,6 @@
 """A whole model, its .feb text, and where its node data go."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from textwrap import indent
@@ -23,75 +21,43 @@ from harness.models.parts import (
     Material,
     Mixture,
     Rigid,
+    Springs,
     child,
+    fill,
     text_of,
 )
-from harness.models.springs import Springs
 
 MODULES = ("solid", "biphasic", "solute", "multiphasic")
 
 
 @dataclass(frozen=True)
 class Model:
-    """Everything that a .feb file says.
+    """Everything that a .feb file says."""
 
-    Attributes
-    ----------
-    name : str
-        Stem of the file names.
-    header : str
-        What stands at the head of the file: what it shows, units, how to run it.
-    module : str
-        One of `MODULES`.
-    mesh : Mesh
-    materials : mapping of str to Material
-    conditions : tuple of Condition
-    control : Control
-    contacts : tuple of Contact
-    curves : tuple of Curve
-        Load curves, numbered from 1.
-    element_columns : tuple of str
-        FEBio's names of the element data to log, if any.
-    plot : bool
-        Whether a plot file is written.
-    further_columns : tuple of str
-        FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
-    charges : tuple of int
-        Charge number of each solute of the model; without it all are neutral.
-    surface_columns, facet_columns : tuple of str
-        FEBio's names of ``surface_data`` and ``face_data`` to log for both surfaces of each contact.
-    part_columns : mapping of str to tuple of str
-        FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
-        element data as the material lists them.
-    gas_constant : float
-        R in the units of the model.
-    springs : tuple of Springs
-    further_plot : tuple of str
-        FEBio's names of plot variables beside those that every model has.
-    node_log : bool
-        Whether the node data are logged, which takes long for large meshes.
-    """
-
-    name: str
-    header: str
-    module: str
+    name: str  # stem of the file names
+    header: str  # what stands at the head of the file: what it shows, units, how to run it
+    module: str  # one of `MODULES`
     mesh: Mesh
     materials: Mapping[str, Material]
     conditions: tuple[Condition, ...]
     control: Control
     contacts: tuple[Contact, ...] = ()
-    curves: tuple[Curve, ...] = field(default=())
-    element_columns: tuple[str, ...] = ()
-    plot: bool = False
+    curves: tuple[Curve, ...] = field(default=())  # load curves, numbered from 1
+    element_columns: tuple[str, ...] = ()  # FEBio's names of the element data to log, if any
+    plot: bool = False  # whether a plot file is written
+    # FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
     further_columns: tuple[str, ...] = ()
-    charges: tuple[int, ...] = ()
+    charges: tuple[int, ...] = ()  # charge number of each solute of the model; without it all are neutral
+    # FEBio's names of ``surface_data`` and ``face_data`` to log for both surfaces of each contact.
     surface_columns: tuple[str, ...] = ()
     facet_columns: tuple[str, ...] = ()
+    # FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
+    # element data as the material lists them.
     part_columns: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    gas_constant: float = GAS_CONSTANT
+    gas_constant: float = GAS_CONSTANT  # R in the units of the model
     springs: tuple[Springs, ...] = ()
-    node_log: bool = True
-    further_plot: tuple[str, ...] = ()
+    node_log: bool = True  # whether the node data are logged, which takes long for large meshes
+    further_plot: tuple[str, ...] = ()  # FEBio's names of plot variables beside those that every model has
 
     @property
     def n_solutes(self) -> int:
@@ -99,13 +65,7 @@ class Model:
         return max((s.sol for m in self.materials.values() for s in m.solutes), default=0)
 
     def mixture(self, name: str) -> Mixture:
-        """The porous material of that name.
-
-        Raises
-        ------
-        ModelError
-            Where the material is elastic or rigid.
-        """
+        """The porous material of that name. Raises ModelError where the material is elastic or rigid."""
         material = self.materials[name]
         if not isinstance(material, Mixture):
             raise ModelError(f"model '{self.name}': material '{name}' is not porous and holds no solute")
@@ -148,10 +108,7 @@ class Model:
     def text(self) -> str:
         """The model as FEBio 4 XML.
 
-        Raises
-        ------
-        ModelError
-            Where a module, set, surface or pair is named that does not exist.
+        Raises ModelError where a module, set, surface or pair is named that does not exist.
         """
         _check(self)
         root = etree.Element("febio_spec", version="4.0")
@@ -179,19 +136,16 @@ class Model:
 
 def _globals(model: Model, root: Element) -> None:
     section = child(root, "Globals")
-    constants = child(section, "Constants")
-    child(constants, "R", model.gas_constant)
-    child(constants, "T", TEMPERATURE)
-    child(constants, "Fc", FARADAY if any(model.charges) else 0.0)
+    faraday = FARADAY if any(model.charges) else 0.0
+    fill(child(section, "Constants"), R=model.gas_constant, T=TEMPERATURE, Fc=faraday)
     if model.charges and len(model.charges) != model.n_solutes:
         raise ModelError(f"model '{model.name}': {len(model.charges)} charges for {model.n_solutes} solutes")
     if model.n_solutes:
         solutes = child(section, "Solutes")
         for number in range(1, model.n_solutes + 1):
             made = child(solutes, "solute", id=str(number), name=f"s{number}")
-            child(made, "charge_number", model.charges[number - 1] if model.charges else 0)
-            child(made, "molar_mass", 1.0)
-            child(made, "density", 1.0)
+            charge = model.charges[number - 1] if model.charges else 0
+            fill(made, charge_number=charge, molar_mass=1.0, density=1.0)
 
 
 def _mesh(mesh: Mesh, springs: Iterable[Springs], root: Element) -> None:
@@ -212,9 +166,7 @@ def _mesh(mesh: Mesh, springs: Iterable[Springs], root: Element) -> None:
         for face, ids in enumerate(facets, 1):
             child(surface, f"{'tri' if len(ids) in (3, 6) else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face))
     for name, (primary, secondary) in mesh.pairs.items():
-        pair = child(section, "SurfacePair", name=name)
-        child(pair, "primary", primary)
-        child(pair, "secondary", secondary)
+        fill(child(section, "SurfacePair", name=name), primary=primary, secondary=secondary)
     for group in springs:
         group.write_mesh(section)
 
@@ -225,34 +177,28 @@ def _element_type(nodes: int) -> str:
     return f"{shape}{nodes}"
 
 
+_CONDITIONS = {"Boundary": ("bc",), "Rigid": ("rigid_bc", "rigid_load"), "Initial": ("ic",), "Loads": ("surface_load",)}
+"""Tags of the conditions in each section of a file."""
+
+
 def _sections(model: Model, root: Element) -> None:
-    boundary = child(root, "Boundary")
-    for condition in model.conditions:
-        if condition.tag == "bc":
-            condition.write(boundary)
-    sections = (("Rigid", ("rigid_bc", "rigid_load")), ("Initial", ("ic",)), ("Loads", ("surface_load",)))
-    for title, tags in sections:
+    for title, tags in _CONDITIONS.items():
         chosen = [condition for condition in model.conditions if condition.tag in tags]
-        section = child(root, title) if chosen else boundary
+        section = child(root, title) if chosen or title == "Boundary" else root
         for condition in chosen:
             condition.write(section)
-    if model.contacts:
-        section = child(root, "Contact")
-        for contact in model.contacts:
-            contact.write(section)
-    if model.springs:
-        _springs(model.springs, child(root, "Discrete"))
-    section = child(root, "LoadData") if model.curves else boundary
+    section = child(root, "Contact") if model.contacts else root
+    for contact in model.contacts:
+        contact.write(section)
+    section = child(root, "Discrete") if model.springs else root
+    for number, group in enumerate(model.springs, 1):
+        group.write_material(section, number)
+    for number, group in enumerate(model.springs, 1):
+        group.write_set(section, number)
+    section = child(root, "LoadData") if model.curves else root
     for number, curve in enumerate(model.curves, 1):
         curve.write(section, number)
     _output(model, root)
-
-
-def _springs(springs: Sequence[Springs], section: Element) -> None:
-    for number, group in enumerate(springs, 1):
-        group.write_material(section, number)
-    for number, group in enumerate(springs, 1):
-        group.write_set(section, number)
 
 
 def _output(model: Model, root: Element) -> None:

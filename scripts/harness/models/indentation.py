@@ -1,7 +1,5 @@
 """Problem 3.3: a semi-cylinder is driven into a slab, and solute leaves the slab into it and into the surroundings."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 from harness.models.document import Model
@@ -23,16 +21,11 @@ from harness.models.parts import (
     initial_pressure,
 )
 
-CONCENTRATION = 1.0
-"""Initial concentration of the slab, mM; the cylinder and the surroundings have none."""
-DEPTH = 2.0
-"""mm by which the cylinder's flat top is driven down."""
-RAMP = 1.0
-"""s in which it is driven."""
-END = 6000.0
-"""s."""
-TIMES = (1.0, 100.0, 1000.0, 6000.0)
-"""Times of the pictures of figure 3.4, s; a time step ends at each."""
+CONCENTRATION = 1.0  # initial concentration of the slab, mM; the cylinder and the surroundings have none
+DEPTH = 2.0  # mm by which the cylinder's flat top is driven down
+RAMP = 1.0  # s in which it is driven
+END = 6000.0  # s
+TIMES = (1.0, 100.0, 1000.0, 6000.0)  # times of the pictures of figure 3.4, s; a time step ends at each
 GEL = Mixture(Solid(1.0, 0.3), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
 
 RAMP_CURVE, STEP_CURVE = 1, 2
@@ -58,35 +51,19 @@ By symmetry, the model contains one half, as a layer of one element with no disp
 
 @dataclass(frozen=True)
 class Indentation:
-    """Choices of problem 3.3.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
-    grid : Grid
-    primary : Primary
-        Which body has the primary surface.
-    clamp : bool
-        Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
-    gripped : bool
-        Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
-        turns inside out.
-    control : Control
-    module : str, optional
-        The module that `interface` asks for without it.
-    name : str
-    """
+    """Choices of problem 3.3."""
 
     interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
+    settings: ContactSettings | None = None  # default settings without it
     grid: Grid = Grid()
-    primary: Primary = Primary.CYLINDER
+    primary: Primary = Primary.CYLINDER  # which body has the primary surface
+    # Whether FEBio's multiphasic solver sets negative concentrations to zero; its solute solver always does.
     clamp: bool = True
+    # Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
+    # turns inside out.
     gripped: bool = True
     control: Control = CONTROL
-    module: str | None = None
+    module: str | None = None  # the module that `interface` asks for without it
     name: str = "indentation"
     plot: bool = False
 
@@ -94,6 +71,7 @@ class Indentation:
         """The model of these choices."""
         made = mesh(self.grid, self.primary)
         module = self.module or self.interface.module
+        clamp = Param("force_positive_concentrations", self.clamp)
         return Model(
             self.name,
             header(self.name, ABOUT.format(radius=self.grid.radius, depth=DEPTH), self.interface),
@@ -101,7 +79,7 @@ class Indentation:
             made,
             {"slab": GEL, "cylinder": GEL},
             self._conditions(),
-            self._control(module),
+            self.control if module != "multiphasic" else replace(self.control, solver=(clamp, *self.control.solver)),
             contacts(self.interface, made, self.settings),
             (Curve(((0.0, 0.0), (RAMP, 1.0))), STEPS),
             plot=self.plot,
@@ -120,8 +98,3 @@ class Indentation:
             initial_concentration("slab", CONCENTRATION),
             initial_pressure("slab", effective_pressure(CONCENTRATION)),
         )
-
-    def _control(self, module: str) -> Control:
-        if module != "multiphasic":
-            return self.control
-        return replace(self.control, solver=(Param("force_positive_concentrations", self.clamp), *self.control.solver))

@@ -1,28 +1,20 @@
 """Meshes of a round body above a slab: a quarter disk, one element thick."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids, Mask
 from harness.errors import ModelError
 from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Mesh, Part
 
-Points = NDArray[np.float64]
-
-CORE = 0.52
-"""Size of the inner block of an O-grid, relative to the radius."""
-BULGE = 0.35
-"""How far the inner block leans towards the round shape: 0 a square, 1 a disk."""
-NEAR = 1e-9
-"""Tolerance for positions, mm."""
+CORE = 0.52  # size of the inner block of an O-grid, relative to the radius
+BULGE = 0.35  # how far the inner block leans towards the round shape: 0 a square, 1 a disk
+NEAR = 1e-9  # tolerance for positions, mm
 
 
 class Primary(str, Enum):
@@ -34,27 +26,17 @@ class Primary(str, Enum):
 
 @dataclass(frozen=True)
 class Grid:
-    """Sizes and numbers of elements.
+    """Sizes and numbers of elements."""
 
-    Attributes
-    ----------
-    radius, width, height : float
-        Radius of the round body, half-width and height of the slab, mm.
-    thickness : float
-        Thickness of the plane problem, mm.
-    across, down : int
-        Elements of the slab over its half-width and its height.
-    around : int
-        Elements of each block of the O-grid along each edge; an arc of 90 degrees has twice as many.
-    """
-
+    # Radius of the round body, half-width and height of the slab, mm.
     radius: float = 3.0
     width: float = 3.0
     height: float = 2.0
-    thickness: float = 0.25
+    thickness: float = 0.25  # thickness of the plane problem, mm
+    # Elements of the slab over its half-width and its height.
     across: int = 18
     down: int = 12
-    around: int = 6
+    around: int = 6  # elements of each block of the O-grid along each edge; an arc of 90 degrees has twice as many
 
     def __post_init__(self) -> None:
         """Refuse what is not a grid."""
@@ -67,12 +49,9 @@ class Grid:
 def mesh(grid: Grid, primary: Primary = Primary.CYLINDER) -> Mesh:
     """Slab and round body, touching at x = 0 at the height of the slab.
 
-    Returns
-    -------
-    Mesh
-        Parts ``slab`` and ``cylinder``; node sets ``all``, ``slab``, ``cylinder``, ``bottom`` (of the slab), ``top``
-        (flat, of the round body), ``symmetry`` (x = 0); surfaces ``slab-contact``, ``cylinder-contact``, ``bottom`` and
-        ``top``; one pair ``contact``.
+    Returns: parts ``slab`` and ``cylinder``; node sets ``all``, ``slab``, ``cylinder``, ``bottom`` (of the slab),
+        ``top`` (flat, of the round body), ``symmetry`` (x = 0); surfaces ``slab-contact``, ``cylinder-contact``,
+        ``bottom`` and ``top``; one pair ``contact``.
     """
     slab, round_body = slab_body(grid), cylinder_body(grid)
     offset = len(slab.nodes)
@@ -89,7 +68,7 @@ def mesh(grid: Grid, primary: Primary = Primary.CYLINDER) -> Mesh:
     return Mesh(nodes, parts, _node_sets(grid, nodes, offset), surfaces, {"contact": pair})
 
 
-def _node_sets(grid: Grid, nodes: Points, offset: int) -> dict[str, Ids]:
+def _node_sets(grid: Grid, nodes: Array, offset: int) -> dict[str, Ids]:
     number = np.arange(1, len(nodes) + 1, dtype=np.int64)
     return {
         "all": number,
@@ -101,12 +80,12 @@ def _node_sets(grid: Grid, nodes: Points, offset: int) -> dict[str, Ids]:
     }
 
 
-def _on_arc(grid: Grid, x: Points) -> NDArray[np.bool_]:
+def _on_arc(grid: Grid, x: Array) -> Mask:
     distance = np.hypot(x[..., 0], x[..., 1] - grid.height - grid.radius)
     return np.asarray(np.abs(distance - grid.radius) < NEAR)
 
 
-def _is_top(grid: Grid, x: Points) -> NDArray[np.bool_]:
+def _is_top(grid: Grid, x: Array) -> Mask:
     return np.asarray(np.abs(x[..., 1] - grid.height - grid.radius) < NEAR)
 
 
@@ -124,27 +103,27 @@ def cylinder_body(grid: Grid) -> Body:
     return blocks.merged([blocks.structured(_extruded(points, (0.0, grid.thickness))) for points in flat])
 
 
-def _quarter_disk(around: int) -> list[Points]:
+def _quarter_disk(around: int) -> list[Array]:
     """An O-grid of the unit disk: an inner block and one block for each axis, between it and the arc."""
     steps = np.linspace(0.0, 1.0, around + 1)
     q = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1)
     return [_bulged(q), *(_outer(q, axis) for axis in range(2))]
 
 
-def _outer(q: Points, axis: int) -> Points:
+def _outer(q: Array, axis: int) -> Array:
     """Block between the inner block's face q[axis] = 1 and the unit circle;  `axis` becomes the radius."""
     outward, face = q[..., axis : axis + 1], q.copy()
     face[..., axis] = 1.0
     return np.asarray((1.0 - outward) * _bulged(face) + outward * _direction(face))
 
 
-def _bulged(q: Points) -> Points:
+def _bulged(q: Array) -> Array:
     """Positions in the inner block of the unit disk, of points of the unit square."""
     size = np.max(q, axis=-1, keepdims=True)
     return np.asarray(CORE * ((1.0 - BULGE) * q + BULGE * size * _direction(q)))
 
 
-def _direction(q: Points) -> Points:
+def _direction(q: Array) -> Array:
     """Unit vectors at equal angles for equal steps along an edge of the square; zero at its corner q = 0."""
     size = np.max(q, axis=-1, keepdims=True)
     tangent = np.tan(np.pi / 4 * np.divide(q, size, out=np.zeros_like(q), where=size > 0.0))
@@ -152,7 +131,7 @@ def _direction(q: Points) -> Points:
     return np.asarray(np.divide(tangent, length, out=np.zeros_like(q), where=length > 0.0))
 
 
-def _extruded(flat: Points, heights: Sequence[float]) -> Points:
+def _extruded(flat: Array, heights: Sequence[float]) -> Array:
     """Points (..., 2) of a plane block, repeated at each height: (..., len(heights), 3)."""
     layers = [np.concatenate([flat, np.full_like(flat[..., :1], z)], axis=-1) for z in heights]
     return np.stack(layers, axis=-2)

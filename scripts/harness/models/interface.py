@@ -13,20 +13,14 @@ from harness.models.parts import Contact, Param
 class InterfaceType(str, Enum):
     """What stands between two neighbouring bodies."""
 
-    MIXTURE = "sliding-mixture"
-    """The plugin's sliding interface."""
-    TIED = "tied-mixture"
-    """The plugin's tie."""
-    SOLUTE = "sliding-biphasic-solute"
-    """FEBio's interface for one solute."""
+    MIXTURE = "sliding-mixture"  # the plugin's sliding interface
+    TIED = "tied-mixture"  # the plugin's tie
+    SOLUTE = "sliding-biphasic-solute"  # FEBio's interface for one solute
     MULTIPHASIC = "sliding-multiphasic"
     """FEBio's interface for any number of solutes; it belongs to the module 'multiphasic'."""
-    BIPHASIC = "sliding-biphasic"
-    """FEBio's interface for solid and solvent."""
-    ELASTIC = "sliding-elastic"
-    """FEBio's interface for traction alone, with tension and friction at need."""
-    CONFORMING = "conforming"
-    """No interface: the nodes are merged, and what is left is one body."""
+    BIPHASIC = "sliding-biphasic"  # FEBio's interface for solid and solvent
+    ELASTIC = "sliding-elastic"  # FEBio's interface for traction alone, with tension and friction at need
+    CONFORMING = "conforming"  # no interface: the nodes are merged, and what is left is one body
 
     @classmethod
     def ours_in(cls, contacts: Container[str]) -> InterfaceType:
@@ -56,32 +50,18 @@ class InterfaceType(str, Enum):
 
 @dataclass(frozen=True)
 class ContactSettings:
-    """Parameters of an interface under FEBio's own names; what is None is not written and keeps its default.
+    """Parameters of an interface under FEBio's own names; what is None is not written and keeps its default."""
 
-    Attributes
-    ----------
-    laugon : str
-        ``PENALTY``, ``AUGLAG`` or ``LAGMULT``.
-    penalty, pressure_penalty, concentration_penalty : float
-        eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
-    auto_penalty, update_penalty, two_pass : bool
-    integration : str
-        ``gauss`` or ``segments``; `sliding-mixture` alone knows it.
-    tolerance, gaptol, ptol, ctol : float
-        Augmentation tolerances: of the traction (relative), of the gap (mm), of pressure and concentration.
-    ambient_pressure, ambient_concentration : Param or float
-    extra : tuple of Param
-        Anything else.
-    """
-
-    laugon: str | None = None
+    laugon: str | None = None  # ``PENALTY``, ``AUGLAG`` or ``LAGMULT``
+    # eps_n in MPa/mm, eps_p in mm^3/(N s), eps_c in mm/s; dimensionless factors where `auto_penalty` is set.
     penalty: float | None = None
     pressure_penalty: float | None = None
     concentration_penalty: float | None = None
     auto_penalty: bool | None = None
     update_penalty: bool | None = None
     two_pass: bool | None = None
-    integration: str | None = None
+    integration: str | None = None  # ``gauss`` or ``segments``; `sliding-mixture` alone knows it
+    # Augmentation tolerances: of the traction (relative), of the gap (mm), of pressure and concentration.
     tolerance: float | None = None
     gaptol: float | None = None
     ptol: float | None = None
@@ -90,7 +70,7 @@ class ContactSettings:
     maxaug: int | None = None
     search_tol: float | None = None
     search_radius: float | None = None
-    extra: tuple[Param, ...] = ()
+    extra: tuple[Param, ...] = ()  # anything else
 
     def params(self) -> tuple[Param, ...]:
         """The parameters that are set, in a fixed order."""
@@ -154,17 +134,7 @@ permeability in mm^4/(N s) and diffusivity in mm^2/s. The gas constant is R = 8.
 
 
 def header(name: str, about: str, interface: InterfaceType) -> str:
-    """What the model shows, its units, and the command that runs it.
-
-    Parameters
-    ----------
-    name : str
-        Stem of the file.
-    about : str
-        What it shows, one or more paragraphs.
-    interface : InterfaceType
-        Decides whether the command loads the plugin.
-    """
+    """What the model shows, its units, and the command that runs it, with the plugin where the interface needs it."""
     load = " -import build/lib/libFEBioMixtureContact.so" if interface.needs_plugin else ""
     run = f"Commands: scripts/mixcontact run models/{name}.feb\nor        febio4 -i models/{name}.feb{load}"
     return f"{about}\n\n{UNITS}\n\n{run}"

@@ -1,7 +1,5 @@
 """What the models of two layers in contact, one above the other, have in common."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
@@ -17,46 +15,27 @@ class Layered:
     """Choices of a model of two layers; a subclass says what they are made of and what is prescribed.
 
     All sides are held, and so is the lowest face; the highest one is moved down by `CLOSING`, unless that is 0.
-
-    Attributes
-    ----------
-    interface : InterfaceType
-    settings : ContactSettings, optional
-        Default settings without it.
-    elements : int
-        Hex8 through the thickness of each layer.
-    control : Control
-    section : Section
-    module : str, optional
-        The module that `interface` asks for without it.
-    name : str
-    plot : bool
     """
 
     interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
-    elements: int = 20
+    settings: ContactSettings | None = None  # default settings without it
+    elements: int = 20  # Hex8 through the thickness of each layer
     control: Control = Control(100, 20.0)
     section: Section = Section()
-    module: str | None = None
+    module: str | None = None  # the module that `interface` asks for without it
     name: str = "layered"
     plot: bool = False
 
-    ABOUT: ClassVar[str]
-    """What the model shows."""
-    CLOSING: ClassVar[float] = 0.0
-    """mm by which the highest face is moved, so that the layers are in contact."""
-    BOTTOM: ClassVar[float] = 0.0
-    """z of the lowest face, mm."""
-    GAP: ClassVar[float] = 0.0
-    """Distance of the layers at first, mm; negative for an overlap."""
+    ABOUT: ClassVar[str]  # what the model shows
+    CLOSING: ClassVar[float] = 0.0  # mm by which the highest face is moved, so that the layers are in contact
+    BOTTOM: ClassVar[float] = 0.0  # z of the lowest face, mm
+    GAP: ClassVar[float] = 0.0  # distance of the layers at first, mm; negative for an overlap
     MATERIALS: ClassVar[Mapping[str, Material]]
     COLUMN: ClassVar[tuple[tuple[str, str, float], ...]]
     """Name, material and thickness (mm) of each layer, from the lowest on."""
     PRESCRIBED: ClassVar[tuple[Condition, ...]]
     """Pressures, concentrations and loads, on the node sets ``bottom`` and ``top``."""
-    LOGGED: ClassVar[tuple[str, ...]] = ()
-    """Element data to write, by their names in the module `solute`."""
+    LOGGED: ClassVar[tuple[str, ...]] = ()  # element data to write, by their names in the module `solute`
 
     @property
     def title(self) -> str:

@@ -1,7 +1,5 @@
 """Steady convection and diffusion through two layers of different material."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -9,12 +7,9 @@ from harness.closed_forms import two_layer_convection
 from harness.models.layered import Layered
 from harness.models.parts import Control, Mixture, Solid, Solute, concentration, fluid_flux, pressure
 
-UPSTREAM = 1.0
-"""Effective concentration at the inlet z = 0, mM; 0 at the outlet."""
-FLUX = 4e-4
-"""Solvent flux w along z, mm/s."""
-CLOSING = 1e-4
-"""mm by which the outlet is moved."""
+UPSTREAM = 1.0  # effective concentration at the inlet z = 0, mM; 0 at the outlet
+FLUX = 4e-4  # solvent flux w along z, mm/s
+CLOSING = 1e-4  # mm by which the outlet is moved
 GIVEN = two_layer_convection.Conditions(FLUX, UPSTREAM, 0.0)
 FIRST = two_layer_convection.Layer(1.0, diffusivity=5e-4, free_diffusivity=5e-4, porosity=0.8, solubility=1.0)
 SECOND = two_layer_convection.Layer(0.75, diffusivity=5e-4, free_diffusivity=1e-3, porosity=0.6, solubility=0.5)

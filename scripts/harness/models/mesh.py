@@ -1,58 +1,39 @@
 """Structured hexahedral columns, split into bodies or in one piece, with the sets that a model refers to."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids
 from harness.errors import ModelError
 
-Axis = NDArray[np.float64]
-Nodes = NDArray[np.float64]
+Nodes = Array
 
 
 @dataclass(frozen=True)
 class Part:
-    """A named group of elements of one type and one material.
+    """A named group of elements of one type and one material."""
 
-    Attributes
-    ----------
-    name, material : str
-        Names in the model file.
-    elements : ndarray of int, shape (n_elements, 8, 20, 27, 6 or 15)
-        Node numbers, from 1, in FEBio's order of hex8, hex20, hex27, penta6 or penta15.
-    """
-
+    # Names in the model file.
     name: str
     material: str
+    # shape (n_elements, 8, 20, 27, 6 or 15): node numbers, from 1, in FEBio's order of hex8, hex20, hex27, penta6 or
+    # penta15.
     elements: Ids
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """Nodes, parts and named sets; all node numbers start from 1.
+    """Nodes, parts and named sets; all node numbers start from 1."""
 
-    Attributes
-    ----------
-    nodes : ndarray, shape (n_nodes, 3)
-        Reference positions, mm.
-    parts : tuple of Part
-    node_sets : dict of str to ndarray of int
-    surfaces : dict of str to ndarray of int, shape (n_facets, 3, 4, 6, 8 or 9)
-        Facets whose nodes turn counterclockwise seen from outside the body.
-    pairs : dict of str to (str, str)
-        Primary and secondary surface of each contact pair.
-    """
-
-    nodes: Nodes
+    nodes: Nodes  # shape (n_nodes, 3): reference positions, mm
     parts: tuple[Part, ...]
     node_sets: dict[str, Ids] = field(default_factory=dict)
+    # shape (n_facets, 3, 4, 6, 8 or 9): facets whose nodes turn counterclockwise seen from outside the body.
     surfaces: dict[str, Ids] = field(default_factory=dict)
+    # Primary and secondary surface of each contact pair.
     pairs: dict[str, tuple[str, str]] = field(default_factory=dict)
 
 
@@ -85,18 +66,11 @@ class Box:
     elements: tuple[int, int, int]
 
 
-@dataclass(frozen=True)
-class _Block:
-    nodes: Nodes
-    elements: Ids
-    bottom: Ids
-    top: Ids
-    bottom_facets: Ids
-    top_facets: Ids
+def _block(x: Array, y: Array, z: Array) -> tuple[Nodes, Ids, dict[str, Ids], dict[str, Ids]]:
+    """One box of hex8 over the given lines of nodes (mm), nodes numbered from 1, x fastest.
 
-
-def _block(x: Axis, y: Axis, z: Axis) -> _Block:
-    """One box of hex8 over the given lines of nodes (mm), nodes numbered from 1, x fastest."""
+    Returns: nodes, elements, and the nodes and the facets of ``bottom`` and ``top``.
+    """
     zz, yy, xx = np.meshgrid(z, y, x, indexing="ij")
     nodes = np.column_stack([xx.ravel(), yy.ravel(), zz.ravel()])
     number = 1 + np.arange(len(nodes), dtype=np.int64).reshape(zz.shape)
@@ -107,10 +81,11 @@ def _block(x: Axis, y: Axis, z: Axis) -> _Block:
     elements = np.stack([v.ravel() for v in (a, b, c, d, e, f, g, h)], axis=1)
     upward = np.stack([v[-1].ravel() for v in (e, f, g, h)], axis=1)
     downward = np.stack([v[0].ravel() for v in (a, d, c, b)], axis=1)
-    return _Block(nodes, elements, number[0].ravel(), number[-1].ravel(), downward, upward)
+    ends = {"bottom": number[0].ravel(), "top": number[-1].ravel()}
+    return nodes, elements, ends, {"bottom": downward, "top": upward}
 
 
-def _line(start: float, length: float, elements: int, name: str) -> Axis:
+def _line(start: float, length: float, elements: int, name: str) -> Array:
     if elements < 1 or length <= 0.0:
         raise ModelError(f"'{name}' needs a size above 0 and at least one element, got {length} mm and {elements}")
     return np.linspace(start, start + length, elements + 1)
@@ -119,21 +94,10 @@ def _line(start: float, length: float, elements: int, name: str) -> Axis:
 def assemble(boxes: Sequence[Box]) -> Mesh:
     """Put bodies together that share no nodes.
 
-    Parameters
-    ----------
-    boxes : sequence of Box
-        Numbered in this order.
-
-    Returns
-    -------
-    Mesh
-        Node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names, their
-        facets ordered with x fastest; no pairs.
-
-    Raises
-    ------
-    ModelError
-        For a box without size or elements.
+    boxes: numbered in this order.
+    Returns: node sets ``all`` and, for each box, ``<name>-bottom`` and ``<name>-top``; surfaces of the latter names,
+        their facets ordered with x fastest; no pairs.
+    Raises ModelError for a box without size or elements.
     """
     nodes: list[Nodes] = []
     parts: list[Part] = []
@@ -141,14 +105,13 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
     surfaces: dict[str, Ids] = {}
     offset = 0
     for box in boxes:
-        block = _block(*(_line(box.corner[k], box.size[k], box.elements[k], box.name) for k in range(3)))
-        nodes.append(block.nodes)
-        parts.append(Part(box.name, box.material, block.elements + offset))
-        sets[f"{box.name}-bottom"] = block.bottom + offset
-        sets[f"{box.name}-top"] = block.top + offset
-        surfaces[f"{box.name}-bottom"] = block.bottom_facets + offset
-        surfaces[f"{box.name}-top"] = block.top_facets + offset
-        offset += len(block.nodes)
+        lines = (_line(box.corner[k], box.size[k], box.elements[k], box.name) for k in range(3))
+        points, elements, ends, facets = _block(*lines)
+        nodes.append(points)
+        parts.append(Part(box.name, box.material, elements + offset))
+        sets |= {f"{box.name}-{end}": ids + offset for end, ids in ends.items()}
+        surfaces |= {f"{box.name}-{end}": ids + offset for end, ids in facets.items()}
+        offset += len(points)
     everything = {"all": np.arange(1, offset + 1, dtype=np.int64)}
     return Mesh(np.concatenate(nodes), tuple(parts), everything | sets, surfaces)
 
@@ -156,27 +119,13 @@ def assemble(boxes: Sequence[Box]) -> Mesh:
 def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | None = None, gap: float = 0.0) -> Mesh:
     """Stack layers along z as separate bodies, with a contact pair between each two neighbours.
 
-    Parameters
-    ----------
-    layers : sequence of Layer
-        From below to above.
-    bottom : float
-        Height of the lowest face, mm.
-    section : Section, optional
-        Cross-section; one element of 1 mm x 1 mm by default.
-    gap : float
-        Distance between neighbours, mm; negative where they are to overlap.
-
-    Returns
-    -------
-    Mesh
-        Node sets ``all``, ``bottom``, ``top``, and for each layer ``<name>-bottom`` and ``<name>-top``; surfaces of
-        the same names; pairs ``<lower>/<upper>`` whose primary surface is the top of the lower layer.
-
-    Raises
-    ------
-    ModelError
-        For a layer without thickness or elements.
+    layers: from below to above.
+    bottom: height of the lowest face, mm.
+    section: cross-section; one element of 1 mm x 1 mm by default.
+    gap: distance between neighbours, mm; negative where they are to overlap.
+    Returns: node sets ``all``, ``bottom``, ``top``, and for each layer ``<name>-bottom`` and ``<name>-top``; surfaces
+        of the same names; pairs ``<lower>/<upper>`` whose primary surface is the top of the lower layer.
+    Raises ModelError for a layer without thickness or elements.
     """
     section = section or Section()
     boxes: list[Box] = []
@@ -187,7 +136,10 @@ def split_column(layers: Sequence[Layer], *, bottom: float, section: Section | N
         height += layer.thickness + gap
     mesh = assemble(boxes)
     pairs = {f"{a.name}/{b.name}": (f"{a.name}-top", f"{b.name}-bottom") for a, b in pairwise(layers)}
-    sets, surfaces = (_with_ends(groups, layers) for groups in (mesh.node_sets, mesh.surfaces))
+    ends = {"bottom": f"{layers[0].name}-bottom", "top": f"{layers[-1].name}-top"}
+    sets, surfaces = (
+        {end: groups[name] for end, name in ends.items()} | groups for groups in (mesh.node_sets, mesh.surfaces)
+    )
     return replace(mesh, node_sets=sets, surfaces=surfaces, pairs=pairs)
 
 
@@ -196,10 +148,7 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
 
     Parameters and sets are those of `split_column`; there are no contact pairs.
 
-    Raises
-    ------
-    ModelError
-        For a layer without thickness or elements.
+    Raises ModelError for a layer without thickness or elements.
     """
     mesh = split_column(layers, bottom=bottom, section=section)
     same = np.arange(len(mesh.nodes))
@@ -213,8 +162,3 @@ def conforming_column(layers: Sequence[Layer], *, bottom: float, section: Sectio
     surfaces = {name: number[mesh.surfaces[name] - 1] for name in ends}
     parts = tuple(replace(part, elements=number[part.elements - 1]) for part in mesh.parts)
     return Mesh(mesh.nodes[kept], parts, sets, surfaces)
-
-
-def _with_ends(groups: dict[str, Ids], layers: Sequence[Layer]) -> dict[str, Ids]:
-    """Add the names ``bottom`` and ``top`` for the two ends of a column."""
-    return {"bottom": groups[f"{layers[0].name}-bottom"], "top": groups[f"{layers[-1].name}-top"]} | groups

@@ -1,6 +1,4 @@
-"""The pieces a model is put together from: materials, conditions, contact, control. Each writes its own XML."""
-
-from __future__ import annotations
+"""The pieces of a model: materials, conditions, contact, springs, control. Each appends its XML to a section."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -8,15 +6,14 @@ from typing import ClassVar, TypeAlias
 
 from lxml import etree
 
+from harness.arrays import Ids
+
 Element = etree._Element
 Value: TypeAlias = float | int | str | bool | tuple[float, ...]
 
-GAS_CONSTANT = 8.314e-6
-"""mJ/(nmol K), with mm, N, s, nmol."""
-TEMPERATURE = 298.0
-"""K."""
-FARADAY = 9.64853321e-5
-"""C/nmol; the electric potential is then in mV."""
+GAS_CONSTANT = 8.314e-6  # mJ/(nmol K), with mm, N, s, nmol
+TEMPERATURE = 298.0  # K
+FARADAY = 9.64853321e-5  # C/nmol; the electric potential is then in mV
 
 
 def text_of(value: Value) -> str:
@@ -38,6 +35,12 @@ def child(parent: Element, tag: str, value: Value | None = None, **attributes: s
     return made
 
 
+def fill(parent: Element, **values: Value) -> None:
+    """Append an element for each name, with its value as the text."""
+    for tag, value in values.items():
+        child(parent, tag, value)
+
+
 @dataclass(frozen=True)
 class Param:
     """One parameter: tag, value, and where needed a load curve number and attributes."""
@@ -56,82 +59,45 @@ class Param:
 
 @dataclass(frozen=True)
 class Solid:
-    """Neo-Hookean solid.
+    """Neo-Hookean solid."""
 
-    Attributes
-    ----------
-    modulus : float
-        Young's modulus at small strain, MPa.
-    poisson : float
-        Poisson's ratio.
-    """
-
-    modulus: float
-    poisson: float = 0.0
+    modulus: float  # Young's modulus at small strain, MPa
+    poisson: float = 0.0  # Poisson's ratio
 
     def write(self, parent: Element, tag: str = "solid") -> Element:
-        """Append the solid to `parent` under the name `tag`."""
         made = child(parent, tag, type="neo-Hookean")
-        child(made, "density", 1.0)
-        child(made, "E", self.modulus)
-        child(made, "v", self.poisson)
+        fill(made, density=1.0, E=self.modulus, v=self.poisson)
         return made
 
 
 @dataclass(frozen=True)
 class Solute:
-    """Transport of one solute in one material.
+    """Transport of one solute in one material."""
 
-    Attributes
-    ----------
-    sol : int
-        Number of the solute in the model's list, from 1.
-    diffusivity, free_diffusivity : float
-        d in the mixture and d0 in the solvent, mm^2/s.
-    solubility : float
-        Effective solubility kappa~, dimensionless: actual c = kappa~ c~.
-    """
-
-    sol: int = 1
+    sol: int = 1  # number of the solute in the model's list, from 1
+    # d in the mixture and d0 in the solvent, mm^2/s.
     diffusivity: float = 5e-4
     free_diffusivity: float = 5e-4
-    solubility: float = 1.0
+    solubility: float = 1.0  # effective solubility kappa~, dimensionless: actual c = kappa~ c~
 
     def write(self, parent: Element) -> None:
-        """Append the solute to the material `parent`."""
         made = child(parent, "solute", sol=str(self.sol))
         diffusivity = child(made, "diffusivity", type="diff-const-iso")
-        child(diffusivity, "free_diff", self.free_diffusivity)
-        child(diffusivity, "diff", self.diffusivity)
+        fill(diffusivity, free_diff=self.free_diffusivity, diff=self.diffusivity)
         child(child(made, "solubility", type="solub-const"), "solub", self.solubility)
 
 
 @dataclass(frozen=True)
 class Mixture:
-    """Porous material: biphasic without solutes, biphasic-solute, triphasic or multiphasic with them.
-
-    Attributes
-    ----------
-    solid : Solid
-    permeability : float
-        Hydraulic permeability k, mm^4/(N s).
-    porosity : float
-        Reference volume fraction of the solvent, phi_w.
-    solutes : tuple of Solute
-    osmotic : float
-        Osmotic coefficient Phi.
-    fixed_charge : float
-        Charge density of the solid matrix, mM (mEq/L); for triphasic and multiphasic.
-    febio_type : str, optional
-        FEBio's name of the material; without it, multiphasic in the module of that name and biphasic-solute otherwise.
-    """
+    """Porous material: biphasic without solutes, biphasic-solute, triphasic or multiphasic with them."""
 
     solid: Solid
-    permeability: float
-    porosity: float = 0.8
+    permeability: float  # hydraulic permeability k, mm^4/(N s)
+    porosity: float = 0.8  # reference volume fraction of the solvent, phi_w
     solutes: tuple[Solute, ...] = ()
-    osmotic: float = 1.0
-    fixed_charge: float = 0.0
+    osmotic: float = 1.0  # osmotic coefficient Phi
+    fixed_charge: float = 0.0  # charge density of the solid matrix, mM (mEq/L); for triphasic and multiphasic
+    # FEBio's name of the material; without it, multiphasic in the module of that name and biphasic-solute otherwise.
     febio_type: str | None = None
 
     def kind(self, module: str) -> str:
@@ -143,7 +109,6 @@ class Mixture:
         return "multiphasic" if module == "multiphasic" else "biphasic-solute"
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:
-        """Append the material to the section `parent`."""
         made = child(parent, "material", id=str(number), name=name, type=self.kind(module))
         child(made, "phi0", 1.0 - self.porosity)
         if self.kind(module) in ("triphasic", "multiphasic"):
@@ -164,7 +129,6 @@ class Elastic:
     solutes: ClassVar[tuple[Solute, ...]] = ()
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
-        """Append the material to the section `parent`."""
         made = self.solid.write(parent, "material")
         made.set("id", str(number))
         made.set("name", name)
@@ -172,19 +136,13 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Rigid:
-    """Rigid body: neither solvent nor solutes pass. Held by `hold_rigid`.
+    """Rigid body: neither solvent nor solutes pass. Held by `hold_rigid`."""
 
-    Attributes
-    ----------
-    centre : tuple of float, optional
-        Point on which forces act and about which the body turns, mm; the centre of mass without it.
-    """
-
+    # Point on which forces act and about which the body turns, mm; the centre of mass without it.
     centre: tuple[float, float, float] | None = None
     solutes: ClassVar[tuple[Solute, ...]] = ()
 
     def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
-        """Append the material to the section `parent`."""
         made = child(parent, "material", id=str(number), name=name, type="rigid body")
         child(made, "density", 1.0)
         if self.centre is not None:
@@ -202,10 +160,8 @@ class Curve:
     interpolate: str = "LINEAR"
 
     def write(self, parent: Element, number: int) -> None:
-        """Append the curve to the section `parent`."""
         made = child(parent, "load_controller", id=str(number), type="loadcurve")
-        child(made, "interpolate", self.interpolate)
-        child(made, "extend", "CONSTANT")
+        fill(made, interpolate=self.interpolate, extend="CONSTANT")
         points = child(made, "points")
         for point in self.points:
             child(points, "pt", point)
@@ -213,20 +169,12 @@ class Curve:
 
 @dataclass(frozen=True)
 class Condition:
-    """A boundary or initial condition on a node set, a load on a surface, or a constraint of a rigid body.
+    """A boundary or initial condition on a node set, a load on a surface, or a constraint of a rigid body."""
 
-    Attributes
-    ----------
-    tag, kind : str
-        ``bc``, ``ic``, ``surface_load``, ``rigid_bc`` or ``rigid_load``, and FEBio's type.
-    where : str
-        Name of the node set, surface, or material of the rigid body.
-    params : tuple of Param
-    """
-
+    # ``bc``, ``ic``, ``surface_load``, ``rigid_bc`` or ``rigid_load``, and FEBio's type.
     tag: str
     kind: str
-    where: str
+    where: str  # name of the node set, surface, or material of the rigid body
     params: tuple[Param, ...] = ()
 
     @property
@@ -240,7 +188,6 @@ class Condition:
         return self.tag in ("rigid_bc", "rigid_load")
 
     def write(self, parent: Element) -> None:
-        """Append the condition to the section `parent`."""
         made = child(parent, self.tag, name=f"{self.kind} {self.where}", type=self.kind)
         if self.of_rigid_body:
             child(made, "rb", self.where)
@@ -317,105 +264,57 @@ def fluid_flux(where: str, value: float) -> Condition:
 
 @dataclass(frozen=True)
 class TimeStepper:
-    """FEBio's automatic time stepper.
+    """FEBio's automatic time stepper."""
 
-    Attributes
-    ----------
-    max_step : float
-        Largest step, s; 0 where `must_points` is given, whose values then are the largest step.
-    retries : int
-        How often a failed step is tried again.
-    optimal_iterations : int
-        Iterations above which the step shrinks.
-    must_points : int, optional
-        Number of the load curve whose points must be met.
-    aggressive : bool
-        Halve a failed step instead of taking off a fixed part.
-    force : bool
-        Always take the largest step allowed.
-    """
-
-    max_step: float
-    retries: int = 5
-    optimal_iterations: int = 11
-    must_points: int | None = None
-    aggressive: bool = False
-    force: bool = False
+    max_step: float  # largest step, s; 0 where `must_points` is given, whose values then are the largest step
+    retries: int = 5  # how often a failed step is tried again
+    optimal_iterations: int = 11  # iterations above which the step shrinks
+    must_points: int | None = None  # number of the load curve whose points must be met
+    aggressive: bool = False  # halve a failed step instead of taking off a fixed part
+    force: bool = False  # always take the largest step allowed
 
     def write(self, parent: Element) -> None:
-        """Append the time stepper to the control section `parent`."""
         made = child(parent, "time_stepper", type="default")
-        child(made, "max_retries", self.retries)
-        child(made, "opt_iter", self.optimal_iterations)
-        child(made, "dtmin", 0.0)
+        fill(made, max_retries=self.retries, opt_iter=self.optimal_iterations, dtmin=0.0)
         Param("dtmax", self.max_step, self.must_points).write(made)
-        child(made, "aggressiveness", int(self.aggressive))
-        child(made, "cutback", 0.5)
-        child(made, "dtforce", int(self.force))
+        fill(made, aggressiveness=self.aggressive, cutback=0.5, dtforce=self.force)
 
 
 @dataclass(frozen=True)
 class Control:
-    """Time steps and Newton tolerances.
+    """Time steps and Newton tolerances."""
 
-    Attributes
-    ----------
-    steps : int
-        Number of steps.
-    step : float
-        Size of a step, s.
-    displacement_tolerance, energy_tolerance, pressure_tolerance, concentration_tolerance : float
-        dtol, etol, ptol, ctol of FEBio, relative.
-    residual_tolerance : float
-        rtol of FEBio; 0 switches that test off.
-    reformations : int
-        Largest number of matrix reformations in a step.
-    stepper : TimeStepper, optional
-        Adaptive steps; fixed ones without it. The analysis ends at `steps` times `step` all the same.
-    solver : tuple of Param
-        Further parameters of the solver.
-    end : float, optional
-        End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
-    analysis : str, optional
-        FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
-    updates : int
-        Largest number of quasi-Newton updates (BFGS) between two matrices.
-    matrix : str
-        FEBio's name of the form of the solver's matrix: ``non-symmetric`` or ``symmetric``.
-    """
-
-    steps: int
-    step: float
+    steps: int  # number of steps
+    step: float  # size of a step, s
+    # dtol, etol, ptol, ctol of FEBio, relative.
     displacement_tolerance: float = 0.001
     energy_tolerance: float = 0.01
     pressure_tolerance: float = 0.01
     concentration_tolerance: float = 0.01
-    residual_tolerance: float = 0.0
-    reformations: int = 15
+    residual_tolerance: float = 0.0  # rtol of FEBio; 0 switches that test off
+    reformations: int = 15  # largest number of matrix reformations in a step
+    # Adaptive steps; fixed ones without it. The analysis ends at `steps` times `step` all the same.
     stepper: TimeStepper | None = None
-    solver: tuple[Param, ...] = ()
+    solver: tuple[Param, ...] = ()  # further parameters of the solver
+    # End of the analysis, s, instead of `steps` times `step`: FEBio's number of steps has 32 bits.
     end: float | None = None
+    # FEBio's type of analysis; STATIC in the module `solid` and TRANSIENT elsewhere without it.
     analysis: str | None = None
-    updates: int = 0
-    matrix: str = "non-symmetric"
+    updates: int = 0  # largest number of quasi-Newton updates (BFGS) between two matrices
+    matrix: str = "non-symmetric"  # FEBio's name of the form of the solver's matrix: ``non-symmetric`` or ``symmetric``
 
     def write(self, parent: Element, module: str, plot: bool) -> None:
-        """Append the control section to the model `parent`."""
         made = child(parent, "Control")
         child(made, "analysis", self.analysis or ("STATIC" if module == "solid" else "TRANSIENT"))
         child(made, "time_steps", self.steps if self.end is None else -1)
         if self.end is not None:
             child(made, "final_time", self.end)
-        child(made, "step_size", self.step)
-        child(made, "plot_level", "PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
+        fill(made, step_size=self.step, plot_level="PLOT_MAJOR_ITRS" if plot else "PLOT_NEVER")
         if self.stepper:
             self.stepper.write(made)
         solver = child(made, "solver", type=module)
-        child(solver, "symmetric_stiffness", self.matrix)
-        child(solver, "max_refs", self.reformations)
-        child(solver, "dtol", self.displacement_tolerance)
-        child(solver, "etol", self.energy_tolerance)
-        child(solver, "rtol", self.residual_tolerance)
+        fill(solver, symmetric_stiffness=self.matrix, max_refs=self.reformations)
+        fill(solver, dtol=self.displacement_tolerance, etol=self.energy_tolerance, rtol=self.residual_tolerance)
         if module != "solid":
             child(solver, "ptol", self.pressure_tolerance)
         if module in ("solute", "multiphasic"):
@@ -434,7 +333,28 @@ class Contact:
     params: tuple[Param, ...] = ()
 
     def write(self, parent: Element) -> None:
-        """Append the interface to the section `parent`."""
         made = child(parent, "contact", name=self.pair, type=self.kind, surface_pair=self.pair)
         for param in self.params:
             param.write(made)
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Springs of one stiffness, which pull and push."""
+
+    name: str
+    stiffness: float  # of each spring, N/mm
+    ends: Ids  # shape (n_springs, 2): node numbers, from 1
+    curve: int | None = None  # number of a load curve that is a factor of the stiffness
+
+    def write_mesh(self, parent: Element) -> None:
+        made = child(parent, "DiscreteSet", name=self.name)
+        for pair in self.ends:
+            child(made, "delem", tuple(map(int, pair)))
+
+    def write_material(self, parent: Element, number: int) -> None:
+        made = child(parent, "discrete_material", id=str(number), name=self.name, type="linear spring")
+        Param("E", self.stiffness, self.curve).write(made)
+
+    def write_set(self, parent: Element, number: int) -> None:
+        child(parent, "discrete", dmat=str(number), discrete_set=self.name)

@@ -1,7 +1,5 @@
 """Numbers that say how far two solutions are apart, and whether that is near enough."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -14,31 +12,18 @@ from harness.errors import ModelError
 from harness.models.mesh import Mesh
 from harness.run.runner import RunResult
 
-SAME_PLACE = 1e-6
-"""mm between nodes of two meshes that stand for one another."""
+SAME_PLACE = 1e-6  # mm between nodes of two meshes that stand for one another
 
 
 @dataclass(frozen=True)
 class Measure:
-    """One measured number and the tolerance it is held against.
-
-    Attributes
-    ----------
-    name : str
-    value : float
-    tolerance : float
-        Largest value allowed.
-    lowest : float
-        Smallest value allowed.
-    note : str
-        Where the number comes from.
-    """
+    """One measured number and the tolerance it is held against."""
 
     name: str
     value: float
-    tolerance: float
-    lowest: float = -math.inf
-    note: str = ""
+    tolerance: float  # largest value allowed
+    lowest: float = -math.inf  # smallest value allowed
+    note: str = ""  # where the number comes from
 
     @property
     def passed(self) -> bool:
@@ -58,10 +43,7 @@ def missed(measures: Iterable[Measure]) -> list[str]:
 def counterparts(mesh: Mesh, reference: Mesh) -> Ids:
     """For each node of a split mesh, the index (from 0) of the node of the conforming mesh at the same place.
 
-    Raises
-    ------
-    ModelError
-        Where a node has no counterpart within `SAME_PLACE`.
+    Raises ModelError where a node has no counterpart within `SAME_PLACE`.
     """
     distance, index = cKDTree(reference.nodes).query(mesh.nodes)
     if np.any(distance > SAME_PLACE):
@@ -78,10 +60,7 @@ def largest_difference(split: RunResult, reference: RunResult, column: str) -> f
 def differences(split: RunResult, reference: RunResult, column: str) -> Array:
     """Differences of one nodal variable between a split body and the conforming reference, shape (n_times, n_nodes).
 
-    Raises
-    ------
-    ModelError
-        Where the times differ.
+    Raises ModelError where the times differ.
     """
     a, b = split.nodes, reference.nodes
     if a.times.shape != b.times.shape or not np.allclose(a.times, b.times, rtol=1e-8, atol=0.0):

@@ -1,7 +1,5 @@
 """Two surfaces seen as lines in the plane z = 0: their gap, and the fields on both sides of it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -13,21 +11,11 @@ from harness.models.mesh import Mesh
 
 @dataclass(frozen=True)
 class Projection:
-    """Points projected on a line.
+    """Points projected on a line."""
 
-    Attributes
-    ----------
-    gap : ndarray, shape (n_points,)
-        mm along the normal of the line, negative where a point lies inside the other body.
-    segment : ndarray of int, shape (n_points,)
-        The segment of the line, from 0.
-    fraction : ndarray, shape (n_points,)
-        Place on the segment, from 0 to 1.
-    """
-
-    gap: Array
-    segment: Ids
-    fraction: Array
+    gap: Array  # shape (n_points,): mm along the normal of the line, negative where a point lies inside the other body
+    segment: Ids  # shape (n_points,): the segment of the line, from 0
+    fraction: Array  # shape (n_points,): place on the segment, from 0 to 1
 
     def sample(self, values: Array) -> Array:
         """Values on the line at the projections, of the values at its nodes."""
@@ -56,12 +44,8 @@ def line_nodes(mesh: Mesh, surface: str) -> Ids:
 def project(points: Array, line: Array) -> Projection:
     """Project points on a line of segments.
 
-    Parameters
-    ----------
-    points : ndarray, shape (n_points, 2)
-        Positions x, y, mm.
-    line : ndarray, shape (n_nodes, 2)
-        Positions of its nodes; the body it bounds lies to its left.
+    points: shape (n_points, 2), positions x, y, mm.
+    line: shape (n_nodes, 2), positions of its nodes; the body it bounds lies to its left.
     """
     start, along = line[:-1], np.diff(line, axis=0)
     squared = np.sum(along**2, axis=1)
@@ -79,15 +63,8 @@ def project(points: Array, line: Array) -> Projection:
 def half_width(x: Array, gap: Array) -> float:
     """Place (mm) at which a line that touches at its start leaves the other one.
 
-    Parameters
-    ----------
-    x, gap : ndarray, shape (n_points,)
-        Positions along the line and gaps, mm, from the axis outwards; 0 and less is contact.
-
-    Returns
-    -------
-    float
-        Interpolated between the last closed point and the first open one after it; 0 where nothing is in contact.
+    x, gap: shape (n_points,), positions along the line and gaps, mm, from the axis outwards; 0 and less is contact.
+    Returns: interpolated between the last closed point and the first open one after it; 0 where nothing is in contact.
     """
     touching = np.flatnonzero(gap <= 0.0)
     if touching.size == 0:

@@ -5,8 +5,6 @@ and take a mesh of their own: the translation would be as long as the two functi
 the same nodes and points as FEBio's.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
@@ -24,30 +22,18 @@ _CORNERS = np.array(
 
 @dataclass(frozen=True)
 class Rule:
-    """An element type with its integration rule.
+    """An element type with its integration rule."""
 
-    Attributes
-    ----------
-    weights : ndarray, shape (n_points,)
-    values : ndarray, shape (n_points, n_nodes)
-        Shape functions.
-    slopes : ndarray, shape (n_points, n_nodes, 3)
-        Their derivatives in the parent coordinates.
-    """
-
-    weights: Array
-    values: Array
-    slopes: Array
+    weights: Array  # shape (n_points,)
+    values: Array  # shape (n_points, n_nodes): shape functions
+    slopes: Array  # shape (n_points, n_nodes, 3): their derivatives in the parent coordinates
 
 
 @cache
 def rule(n_nodes: int) -> Rule:
     """The rule that FEBio uses by default: 2 x 2 x 2 Gauss points for hex8, 3 x 3 x 3 for hex20.
 
-    Raises
-    ------
-    ValueError
-        For another number of nodes.
+    Raises ValueError for another number of nodes.
     """
     if n_nodes not in (8, 20):
         raise ValueError(f"no rule for a hexahedron of {n_nodes} nodes; there is 8 and 20")
@@ -93,20 +79,11 @@ def _bubble(x: Array, node: Array) -> tuple[float, Array]:
 
 @dataclass(frozen=True)
 class Geometry:
-    """Elements of one type in one configuration.
-
-    Attributes
-    ----------
-    rule : Rule
-    volumes : ndarray, shape (n_elements, n_points)
-        Weight times Jacobian determinant, mm^3.
-    gradients : ndarray, shape (n_elements, n_points, n_nodes, 3)
-        Of the shape functions, in space, 1/mm.
-    """
+    """Elements of one type in one configuration."""
 
     rule: Rule
-    volumes: Array
-    gradients: Array
+    volumes: Array  # shape (n_elements, n_points): weight times Jacobian determinant, mm^3
+    gradients: Array  # shape (n_elements, n_points, n_nodes, 3): of the shape functions, in space, 1/mm
 
     def at_points(self, nodal: Array) -> Array:
         """Values at the integration points, (n_elements, n_points), of nodal ones, (n_elements, n_nodes)."""
@@ -118,15 +95,7 @@ class Geometry:
 
 
 def geometry(positions: Array, elements: Ids) -> Geometry:
-    """Elements at given positions of their nodes.
-
-    Parameters
-    ----------
-    positions : ndarray, shape (n_nodes, 3)
-        mm.
-    elements : ndarray of int, shape (n_elements, 8 or 20)
-        Node numbers from 0.
-    """
+    """Elements, shape (n_elements, 8 or 20), nodes from 0, at positions of all nodes (mm), shape (n_nodes, 3)."""
     used = rule(elements.shape[1])
     jacobian = np.einsum("eai,qaj->eqij", positions[elements], used.slopes)
     gradients = np.einsum("qaj,eqji->eqai", used.slopes, np.linalg.inv(jacobian))

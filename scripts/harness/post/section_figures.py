@@ -1,7 +1,5 @@
 """Draws a plane section of deformed bodies, coloured by a nodal field."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,30 +12,19 @@ from harness.models import blocks
 from harness.models.blocks import Body
 from harness.models.mesh import Mesh
 
-MAP = "viridis"
-"""Colours of 0 to 1."""
-NEAR = 1e-9
-"""Tolerance for positions, mm."""
+MAP = "viridis"  # colours of 0 to 1
+NEAR = 1e-9  # tolerance for positions, mm
 
 
 @dataclass(frozen=True)
 class Section:
-    """A plane of the undeformed mesh that is looked at.
+    """A plane of the undeformed mesh that is looked at."""
 
-    Attributes
-    ----------
-    across, up : int
-        Axes (0, 1, 2 for x, y, z) to the right and upwards in the picture.
-    level : float
-        Position of the plane along the third axis, mm.
-    mirrored : bool
-        Whether the mirror image at the vertical axis is drawn as well.
-    """
-
+    # Axes (0, 1, 2 for x, y, z) to the right and upwards in the picture.
     across: int = 0
     up: int = 1
-    level: float = 0.0
-    mirrored: bool = False
+    level: float = 0.0  # position of the plane along the third axis, mm
+    mirrored: bool = False  # whether the mirror image at the vertical axis is drawn as well
 
     @property
     def normal(self) -> int:
@@ -53,15 +40,8 @@ class Section:
 def draw_bodies(axes: Axes, mesh: Mesh, section: Section, positions: Array, values: Array) -> TriMesh | None:
     """Draw the parts of a mesh with the edges of their elements; nothing is coloured where there are no values.
 
-    Parameters
-    ----------
-    axes : Axes
-    mesh : Mesh
-    section : Section
-    positions : ndarray, shape (n_nodes, 3)
-        Deformed, mm.
-    values : ndarray, shape (n_nodes,)
-        From 0 to 1; a part without finite values is grey.
+    positions: shape (n_nodes, 3), deformed, mm.
+    values: shape (n_nodes,), from 0 to 1; a part without finite values is grey.
     """
     drawn = None
     for part in mesh.parts:

@@ -10,8 +10,6 @@ and their gradients to 0, so the sum of r_i over a body is exactly the rate of i
 what was left over in the nodes that should balance.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 
@@ -27,21 +25,11 @@ from harness.run.logdata import History
 
 @dataclass(frozen=True)
 class State:
-    """Node data at one time.
+    """Node data at one time."""
 
-    Attributes
-    ----------
-    positions : ndarray, shape (n_nodes, 3)
-        mm.
-    pressure : ndarray, shape (n_nodes,)
-        p~, MPa.
-    concentrations : ndarray, shape (n_solutes, n_nodes)
-        c~, mM (= nmol/mm^3).
-    """
-
-    positions: Array
-    pressure: Array
-    concentrations: Array
+    positions: Array  # shape (n_nodes, 3): mm
+    pressure: Array  # shape (n_nodes,): p~, MPa
+    concentrations: Array  # shape (n_solutes, n_nodes): c~, mM (= nmol/mm^3)
 
     @property
     def concentration(self) -> Array:
@@ -60,17 +48,9 @@ def states(history: History) -> list[State]:
 def referential(material: Mixture, reference: Geometry, current: Geometry, concentrations: Array) -> Array:
     """J phi_w c of each solute at the integration points, nmol per mm^3 of the reference configuration.
 
-    Parameters
-    ----------
-    material : Mixture
-        phi_w = 1 - phi_0/J, not less than 0, and c = kappa~ c~.
-    reference, current : Geometry
-    concentrations : ndarray, shape (n_solutes, n_elements, n_nodes)
-        Effective concentrations c~ of the elements' nodes, mM.
-
-    Returns
-    -------
-    ndarray, shape (n_solutes, n_elements, n_points)
+    material: phi_w = 1 - phi_0/J, not less than 0, and c = kappa~ c~.
+    concentrations: shape (n_solutes, n_elements, n_nodes), effective concentrations c~ of the elements' nodes, mM.
+    Returns: shape (n_solutes, n_elements, n_points).
     """
     stretch = current.volumes / reference.volumes
     pores = np.maximum(stretch - (1.0 - material.porosity), 0.0)
@@ -95,20 +75,10 @@ def content(model: Model, part: Part, state: State) -> float:
 def inflows(model: Model, part: Part, before: State, after: State, step: float) -> Array:
     """Solute that enters a part at each node during a step, nmol; zero at a node that balances.
 
-    Parameters
-    ----------
-    model : Model
-        All of whose mixtures have all its solutes.
-    part : Part
-    before, after : State
-        At the start and the end of the step.
-    step : float
-        s.
-
-    Returns
-    -------
-    ndarray, shape (n_solutes, n_nodes)
-        Over all nodes of the mesh.
+    model: all of whose mixtures have all its solutes.
+    before, after: at the start and the end of the step.
+    step: s.
+    Returns: shape (n_solutes, n_nodes), over all nodes of the mesh.
     """
     nodes, material = part.elements - 1, model.mixture(part.material)
     reference, old, new = (geometry(x, nodes) for x in (model.mesh.nodes, before.positions, after.positions))

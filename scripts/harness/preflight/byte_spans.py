@@ -11,20 +11,11 @@ from xml.parsers import expat
 
 @dataclass(frozen=True)
 class Place:
-    """A tag in a file.
-
-    Attributes
-    ----------
-    file : Path
-    line : int
-        From 1; where the tag begins.
-    tag : str
-        As in the file, with the attribute that tells it from its like: ``<contact name="joint">``.
-    """
+    """A tag in a file."""
 
     file: Path
-    line: int
-    tag: str
+    line: int  # from 1; where the tag begins
+    tag: str  # as in the file, with the attribute that tells it from its like: ``<contact name="joint">``
 
     def __str__(self) -> str:
         return f"{self.file}, line {self.line}: {self.tag}"
@@ -32,29 +23,15 @@ class Place:
 
 @dataclass
 class Span:
-    """An element in the bytes of a file.
-
-    Attributes
-    ----------
-    tag : str
-    attributes : dict of str to str
-    line : int
-        From 1.
-    start : int
-        Of its ``<``.
-    inner : tuple of int
-        What stands between its tags; empty, at the end of the tag, where it is ``<tag/>``.
-    end : int
-        Behind its last ``>``.
-    children : list of Span
-    """
+    """An element in the bytes of a file."""
 
     tag: str
     attributes: dict[str, str]
-    line: int
-    start: int
+    line: int  # from 1
+    start: int  # of its ``<``
+    # What stands between its tags; empty, at the end of the tag, where it is ``<tag/>``.
     inner: tuple[int, int] = (0, 0)
-    end: int = 0
+    end: int = 0  # behind its last ``>``
     children: list[Span] = field(default_factory=list)
 
     def walk(self) -> Iterator[Span]:

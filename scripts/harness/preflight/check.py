@@ -1,7 +1,5 @@
 """Asks every rule about every contact of a model."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -13,8 +11,7 @@ from harness.preflight.rules import ON_PHYSICS, ON_SURFACES, ON_TEXT, Rule, ties
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import AS_THEY_ARE, Contents
 
-UNREADABLE = ("bad-value", "load-curve")
-"""Rules after which the values of the contact cannot be used."""
+UNREADABLE = ("bad-value", "load-curve")  # rules after which the values of the contact cannot be used
 BROKEN = (
     *("empty-surface", "facet-of-no-element", "flat-facet", "no-material", "inverted-facets"),
     *("shell-facets", "self-contact"),
@@ -26,10 +23,7 @@ _ORDER = list(Severity)
 def check(path: Path, instead: Contents = AS_THEY_ARE) -> list[Finding]:
     """Findings of a model file, the worst first; what `instead` has is read in place of files.
 
-    Raises
-    ------
-    ModelError
-        The file cannot be read.
+    Raises ModelError where the file cannot be read.
     """
     found: list[Finding] = []
     model = models.read(path, instead)

@@ -1,7 +1,5 @@
 """The command `check`."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -13,8 +11,7 @@ from rich.markup import escape
 from harness.preflight import check as preflight
 from harness.preflight.finding import Finding, Severity
 
-FOUND = 1
-"""Exit code: `check` has found something."""
+FOUND = 1  # exit code: `check` has found something
 _COLOURS = {Severity.ERROR: "bold red", Severity.WARNING: "yellow", Severity.NOTE: "cyan"}
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 

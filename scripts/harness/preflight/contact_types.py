@@ -1,15 +1,12 @@
 """The contact types that `check` and `convert` know, and the parameters that each of them has in FEBio 4.11."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from harness.preflight.plugin_types import PLUGIN_TYPES
 
 MIXTURE = "sliding-mixture"
 TIED = "tied-mixture"
-STICKY = "sticky"
-"""FEBio's type that ties what touches, and lets it go at a tension."""
+STICKY = "sticky"  # FEBio's type that ties what touches, and lets it go at a tension
 
 _COMMON = ("laugon", "tolerance", "gaptol", "penalty", "auto_penalty", "update_penalty", "two_pass", "knmult")
 _SEARCH = ("search_tol", "search_radius", "seg_up", "minaug", "maxaug", "node_reloc", "smooth_aug")
@@ -24,21 +21,11 @@ _SLIDING = (*_BASE, "symmetric_stiffness")
 
 @dataclass(frozen=True)
 class ContactType:
-    """A contact type of FEBio's, or this plugin's.
+    """A contact type of FEBio's, or this plugin's."""
 
-    Attributes
-    ----------
-    name : str
-        The attribute `type` in a model file.
-    home : str
-        FEBio's module that brings it; empty where every module has it.
-    parameters : frozenset of str
-        Its parameters, the hidden ones too.
-    """
-
-    name: str
-    home: str
-    parameters: frozenset[str]
+    name: str  # the attribute `type` in a model file
+    home: str  # FEBio's module that brings it; empty where every module has it
+    parameters: frozenset[str]  # its parameters, the hidden ones too
 
     @property
     def solvent(self) -> bool:
@@ -89,11 +76,6 @@ MODULES = {
 """FEBio's modules, and those whose classes each of them has."""
 
 
-def _of_plugin(name: str) -> frozenset[str]:
-    """Parameters of one of the plugin's types; FEBio gives every sliding contact the hidden ones."""
-    return frozenset([parameter.name for parameter in PLUGIN_TYPES[name]]).union(_HIDDEN)
-
-
 def _type(name: str, home: str, *parameters: str) -> ContactType:
     return ContactType(name, home, frozenset(parameters))
 
@@ -107,7 +89,7 @@ _CONVECTIVE = (*_SLIDING, *_SOLVENT, *_SOLUTE, "ambient_pressure", "ambient_conc
 TYPES = {
     known.name: known
     for known in (
-        ContactType(MIXTURE, "", _of_plugin(MIXTURE)),
+        _type(MIXTURE, "", *(parameter.name for parameter in PLUGIN_TYPES[MIXTURE]), *_HIDDEN),
         _type("sliding-elastic", "solid", *_SLIDING, *_SHELLS, "tension", "offset", "fric_coeff"),
         _type("sliding-biphasic", "biphasic", *_SLIDING, *_SOLVENT, *_FRICTION, *_SHELLS),
         _type("sliding-biphasic-mixed", "biphasic", *_SLIDING, *_SOLVENT, *_FRICTION, *_SHELLS),
@@ -155,11 +137,3 @@ CONVERTIBLE_TIES = tuple(name for name in TIED_TYPES if name != TIED)
 """The types of FEBio's that `tied-mixture` takes the place of."""
 ANY_DISTANCE = ("tied-node-on-facet", "tied-facet-on-facet", STICKY)
 """The types that look for the closest point, at any distance where none is given."""
-
-
-def keeps_gaps(kind: ContactType, *, has_offset: bool) -> bool:
-    """Whether a type of FEBio's leaves an initial gap as it is; the others draw the surfaces together.
-
-    `has_offset`: <gap_offset> is on.
-    """
-    return kind.name not in ANY_DISTANCE or (kind.name == "tied-facet-on-facet" and has_offset)

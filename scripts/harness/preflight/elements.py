@@ -3,18 +3,13 @@
 Written here and not taken from meshio, whose tables know nodes but no faces, and no names of FEBio's.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Ids
-
-Points = NDArray[np.float64]
+from harness.arrays import Array, Ids
 
 _HEX = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7))
 _PENTA = ((0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2), (0, 2, 1), (3, 4, 5))
@@ -24,16 +19,10 @@ _PYRAMID = ((0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4), (3, 2, 1, 0))
 
 @dataclass(frozen=True)
 class Shape:
-    """An element type.
-
-    Attributes
-    ----------
-    nodes : int
-    faces : tuple of tuple of int
-        Local numbers of the corners of each face, counter-clockwise seen from outside; none for shells and lines.
-    """
+    """An element type."""
 
     nodes: int
+    # Local numbers of the corners of each face, counter-clockwise seen from outside; none for shells and lines.
     faces: tuple[tuple[int, ...], ...] = ()
 
     @property
@@ -80,14 +69,14 @@ def four(corners: Sequence[int]) -> tuple[int, ...]:
     return tuple(corners) if len(corners) == 4 else (*corners, corners[-1])
 
 
-def area_vectors(corners: Points) -> Points:
+def area_vectors(corners: Array) -> Array:
     """Area times outward normal of faces, shape (..., 3), from their corners, (..., 4, 3): half the cross product of
     the diagonals, which holds for triangles with a repeated corner as well.
     """
     return np.asarray(0.5 * np.cross(corners[..., 2, :] - corners[..., 0, :], corners[..., 3, :] - corners[..., 1, :]))
 
 
-def volumes(faces: Points) -> NDArray[np.float64]:
+def volumes(faces: Array) -> Array:
     """Volumes of elements with straight edges, shape (n,), from the corners of their faces, (n, n_faces, 4, 3): the
     divergence theorem, a third of the flux of x.
     """

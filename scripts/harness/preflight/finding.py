@@ -1,9 +1,8 @@
 """What `check` has to say: where, how bad, and what to do."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum
+from functools import partial
 
 from harness.preflight.byte_spans import Place
 from harness.preflight.xml_file import Element, place
@@ -12,35 +11,20 @@ from harness.preflight.xml_file import Element, place
 class Severity(str, Enum):
     """How bad a finding is."""
 
-    ERROR = "error"
-    """The run will stop, or the contact will not do what the file says."""
-    WARNING = "warning"
-    """The run may fail, or its answer is not what it seems."""
-    NOTE = "note"
-    """Worth knowing; nothing has to change."""
+    ERROR = "error"  # the run will stop, or the contact will not do what the file says
+    WARNING = "warning"  # the run may fail, or its answer is not what it seems
+    NOTE = "note"  # worth knowing; nothing has to change
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing found.
-
-    Attributes
-    ----------
-    severity : Severity
-    rule : str
-        Name of the rule, as in docs/reference/check.md.
-    place : Place
-    message : str
-        What was seen and what it will do, in plain words.
-    suggestion : str
-        What to change, with a value where there is one.
-    """
+    """One thing found."""
 
     severity: Severity
-    rule: str
+    rule: str  # name of the rule, as in docs/reference/check.md
     place: Place
-    message: str
-    suggestion: str
+    message: str  # what was seen and what it will do, in plain words
+    suggestion: str  # what to change, with a value where there is one
 
     def as_json(self) -> dict[str, str | int]:
         """The finding for scripts."""
@@ -55,19 +39,11 @@ class Finding:
         }
 
 
-def error(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """The run will stop, or the contact will not do what the file says."""
-    return Finding(Severity.ERROR, rule, place(tag), message, suggestion)
+def _found(severity: Severity, rule: str, tag: Element, message: str, suggestion: str) -> Finding:
+    return Finding(severity, rule, place(tag), message, suggestion)
 
 
-def warning(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """The run may fail, or its answer is not what it seems."""
-    return Finding(Severity.WARNING, rule, place(tag), message, suggestion)
-
-
-def note(rule: str, tag: Element, message: str, suggestion: str) -> Finding:
-    """Worth knowing."""
-    return Finding(Severity.NOTE, rule, place(tag), message, suggestion)
+error, warning, note = (partial(_found, severity) for severity in Severity)
 
 
 def short(value: float) -> str:

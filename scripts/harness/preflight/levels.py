@@ -1,15 +1,12 @@
 """Pressures and concentrations that a model starts from and prescribes, and where it does so in a contact."""
 
-from __future__ import annotations
-
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Ids
 from harness.preflight.model import Condition, Contact, Model
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element, children, text
@@ -17,21 +14,11 @@ from harness.preflight.xml_file import Element, children, text
 
 @dataclass(frozen=True)
 class Level:
-    """A value of a field somewhere.
+    """A value of a field somewhere."""
 
-    Attributes
-    ----------
-    tag : Element
-        Of the value.
-    history : ndarray, shape (n, 2)
-        Time and value; empty where it is a formula.
-    nodes : ndarray of int, optional
-        Where it is; None for the ambient values of a contact.
-    """
-
-    tag: Element
-    history: Array
-    nodes: NDArray[np.int64] | None
+    tag: Element  # of the value
+    history: Array  # shape (n, 2): time and value; empty where it is a formula
+    nodes: Ids  # where it is
 
     @property
     def first(self) -> float:
@@ -39,46 +26,31 @@ class Level:
         return float(self.history[0, 1]) if len(self.history) else float("nan")
 
 
-def prescribed_pressures(model: Model) -> Iterator[Level]:
-    """Effective pressures prescribed by boundary conditions."""
-    yield from _fixed(model, "zero fluid pressure")
-    yield from _values(model, model.boundary, "prescribed fluid pressure", 0)
-
-
-def initial_pressures(model: Model) -> Iterator[Level]:
-    """Effective pressures at the start."""
-    yield from _values(model, model.initial, "initial fluid pressure", 0)
-
-
-def prescribed_concentrations(model: Model, solute: int) -> Iterator[Level]:
-    """Effective concentrations prescribed by boundary conditions."""
-    for level in _fixed(model, "zero concentration"):
-        named = level.tag.find("c_dof")
-        if named is None or not _solutes_of(model, named).isdisjoint((solute, 0)):
-            yield level
-    yield from _values(model, model.boundary, "prescribed concentration", solute)
-
-
-def initial_concentrations(model: Model, solute: int) -> Iterator[Level]:
-    """Effective concentrations at the start."""
-    yield from _values(model, model.initial, "initial concentration", solute)
-
-
-def _values(model: Model, conditions: tuple[Condition, ...], kind: str, solute: int) -> Iterator[Level]:
-    for condition in conditions:
-        value = condition.tag.find("value")
-        if condition.kind != kind or value is None or condition.step > 1:
-            continue
-        dof = condition.tag.find("dof")
-        if solute and (1 if dof is None else next(iter(_solutes_of(model, dof)))) != solute:
-            continue
-        yield Level(value, model.history(value), model.nodes(condition))
-
-
-def _fixed(model: Model, kind: str) -> Iterator[Level]:
-    for condition in model.boundary:
-        if condition.kind == kind and condition.step <= 1:
+def prescribed(model: Model, solute: int | None = None) -> Iterator[Level]:
+    """Effective concentrations of a solute that boundary conditions prescribe; effective pressures without it."""
+    for condition in _at_start(model.boundary, "zero", solute):
+        named = condition.tag.find("c_dof")
+        if solute is None or named is None or not _solutes_of(model, named).isdisjoint((solute, 0)):
             yield Level(condition.tag, np.zeros((1, 2)), model.nodes(condition))
+    yield from _values(model, model.boundary, "prescribed", solute)
+
+
+def initial(model: Model, solute: int | None = None) -> Iterator[Level]:
+    """Effective concentrations of a solute at the start; effective pressures without it."""
+    yield from _values(model, model.initial, "initial", solute)
+
+
+def _at_start(conditions: Iterable[Condition], what: str, solute: int | None) -> Iterator[Condition]:
+    kind = f"{what} {'fluid pressure' if solute is None else 'concentration'}"
+    return (condition for condition in conditions if condition.kind == kind and condition.step <= 1)
+
+
+def _values(model: Model, conditions: Iterable[Condition], what: str, solute: int | None) -> Iterator[Level]:
+    for condition in _at_start(conditions, what, solute):
+        value, dof = condition.tag.find("value"), condition.tag.find("dof")
+        own = 1 if dof is None or not solute else next(iter(_solutes_of(model, dof)))
+        if value is not None and (not solute or own == solute):
+            yield Level(value, model.history(value), model.nodes(condition))
 
 
 def _solutes_of(model: Model, dof: Element) -> set[int]:
@@ -105,10 +77,9 @@ def ambient_concentrations(model: Model, contact: Contact) -> dict[int, Element]
 def start_concentrations(joint: Joint, solute: int) -> set[float]:
     """Concentrations that meet at the start at or in the bodies of a contact: initial, prescribed, ambient."""
     model = joint.model
-    values = {level.first for level in prescribed_concentrations(model, solute)}
-    initial = list(initial_concentrations(model, solute))
-    values |= {level.first for level in initial}
-    covered = [node for level in initial if level.nodes is not None for node in level.nodes.tolist()]
+    given = list(initial(model, solute))
+    values = {level.first for level in (*prescribed(model, solute), *given)}
+    covered = [node for level in given for node in level.nodes.tolist()]
     own = np.isin(model.mesh.bodies, list(joint.primary.bodies | joint.secondary.bodies))
     if not np.isin(np.flatnonzero(own), covered).all():
         values.add(0.0)
@@ -129,10 +100,7 @@ def osmotic_scale(joint: Joint) -> float:
 
 def covering(level: Level, others: Sequence[Level]) -> Level | None:
     """The other value on all nodes of a level, if there is one."""
-    for other in others:
-        if level.nodes is not None and other.nodes is not None and np.isin(level.nodes, other.nodes).all():
-            return other
-    return None
+    return next((other for other in others if np.isin(level.nodes, other.nodes).all()), None)
 
 
 def times(histories: Sequence[Array]) -> Array:
@@ -152,8 +120,8 @@ def osmotic(joint: Joint, concentrations: Sequence[Array], when: Array) -> Array
 
 def pressures_with_concentrations(model: Model) -> Iterator[tuple[Level, list[Array]]]:
     """Prescribed effective pressures, each with the histories of the concentrations that its nodes have."""
-    known = [list(prescribed_concentrations(model, number)) for number in model.solute_numbers]
-    for pressure in prescribed_pressures(model):
+    known = [list(prescribed(model, number)) for number in model.solute_numbers]
+    for pressure in prescribed(model):
         there = [match for group in known if (match := covering(pressure, group)) is not None]
         yield pressure, [level.history for level in there]
 
@@ -180,24 +148,12 @@ def _fluid_pressure(joint: Joint, pressure: Array, concentrations: Sequence[Arra
 
 @dataclass(frozen=True)
 class PrescribedNodes:
-    """Nodes of a contact that a boundary condition holds.
+    """Nodes of a contact that a boundary condition holds."""
 
-    Attributes
-    ----------
-    tag : Element
-        Of the condition's value.
-    field : str
-        What it holds.
-    nodes : int
-        Number of nodes.
-    as_ambient : bool
-        Whether at the ambient value.
-    """
-
-    tag: Element
-    field: str
-    nodes: int
-    as_ambient: bool
+    tag: Element  # of the condition's value
+    field: str  # what it holds
+    nodes: int  # number of nodes
+    as_ambient: bool  # whether at the ambient value
 
 
 def prescribed_nodes(joint: Joint) -> Iterator[PrescribedNodes]:
@@ -209,17 +165,17 @@ def prescribed_nodes(joint: Joint) -> Iterator[PrescribedNodes]:
     if not contact.kind.solvent:
         return
     ambient = contact.given("ambient_pressure")
-    for level in prescribed_pressures(model):
+    for level in prescribed(model):
         yield from _prescribed(joint, level, "fluid pressure", ambient)
     for number in model.solute_numbers if contact.kind.solutes else ():
         ambient = ambient_concentrations(model, contact).get(number)
-        for level in prescribed_concentrations(model, number):
+        for level in prescribed(model, number):
             yield from _prescribed(joint, level, f"concentration of solute {number}", ambient)
 
 
 def _prescribed(joint: Joint, level: Level, field: str, ambient: Element | None) -> Iterator[PrescribedNodes]:
     own = np.union1d(*(side.surface.corners.ravel() for side in joint.sides))
-    nodes = 0 if level.nodes is None else len(np.intersect1d(own, level.nodes))
+    nodes = len(np.intersect1d(own, level.nodes))
     if nodes:
         history = np.zeros((1, 2)) if ambient is None else joint.model.history(ambient)
         yield PrescribedNodes(level.tag, field, nodes, _equal(level.history, history))

@@ -1,8 +1,7 @@
 """Material properties of a model file in the undeformed state, as far as they are numbers there."""
 
-from __future__ import annotations
-
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -13,21 +12,15 @@ from harness.preflight.xml_file import Document, Element, attribute, children, o
 POROUS = ("biphasic", "biphasic-solute", "triphasic", "multiphasic", "multiphasic-multigeneration")
 RIGID = "rigid body"
 _MIXTURES_OF_SOLIDS = ("solid mixture", "uncoupled solid mixture", "multigeneration")
-_FIBRES = ("fiber", "fibre", "fib-", "CFD", "continuous", "ellipsoidal", "spherical")
+_FIBRE = re.compile("fiber|fibre|fib-|CFD|continuous|ellipsoidal|spherical", re.IGNORECASE)
 """Parts of names of solids that have no stiffness in the undeformed state or little."""
 
 
 @dataclass(frozen=True)
 class Solute:
-    """Transport of a solute; NaN where the file does not have a number.
+    """Transport of a solute; NaN where the file does not have a number."""
 
-    Attributes
-    ----------
-    diffusivity, free_diffusivity : float
-        d and d0, mm^2/s.
-    solubility : float
-    """
-
+    # d and d0, mm^2/s.
     diffusivity: float
     free_diffusivity: float
     solubility: float
@@ -35,30 +28,15 @@ class Solute:
 
 @dataclass(frozen=True)
 class Material:
-    """A material; properties are NaN where the file does not have them as numbers.
-
-    Attributes
-    ----------
-    name, kind : str
-    modulus : float
-        Young's modulus of the solid matrix, MPa; infinite for rigid bodies.
-    permeability : float
-        mm^4/(N s); 0 for solids without pores.
-    porosity : float
-    osmotic : float
-        Osmotic coefficient Phi.
-    solutes : mapping of int to Solute
-        By the number of the solute in the model.
-    tag : Element
-    """
+    """A material; properties are NaN where the file does not have them as numbers."""
 
     name: str
     kind: str
-    modulus: float
-    permeability: float
+    modulus: float  # Young's modulus of the solid matrix, MPa; infinite for rigid bodies
+    permeability: float  # mm^4/(N s); 0 for solids without pores
     porosity: float
-    osmotic: float
-    solutes: Mapping[int, Solute]
+    osmotic: float  # osmotic coefficient Phi
+    solutes: Mapping[int, Solute]  # by the number of the solute in the model
     tag: Element
 
     @property
@@ -78,14 +56,7 @@ class Material:
 
 
 def read(document: Document, solutes: Mapping[str, int]) -> dict[str, Material]:
-    """The materials, by their names.
-
-    Parameters
-    ----------
-    document : Document
-    solutes : mapping of str to int
-        Numbers of the model's solutes, by number and name as in the file.
-    """
+    """The materials, by their names; `solutes` are numbers of solutes, by number and name as in the file."""
     return {attribute(tag, "name"): _material(tag, solutes) for tag in document.all("Material", "material")}
 
 
@@ -120,18 +91,13 @@ def _modulus(solid: Element | None) -> float:
     if kind in _MIXTURES_OF_SOLIDS:
         parts = [part for tag in ("solid", "generation") for part in children(solid, tag)]
         inner = [part.find("solid") if part.tag == "generation" else part for part in parts]
-        known = [_modulus(part) for part in inner if part is not None and not _is_fibre(part)]
+        known = [_modulus(part) for part in inner if part is not None and not _FIBRE.search(str(part.get("type")))]
         return sum(known) if known else math.nan
     if solid.find("E") is not None:
         return optional_number(solid, "E")
     if "Mooney-Rivlin" in kind:
         return 6.0 * (optional_number(solid, "c1") + optional_number(solid, "c2", 0.0))
     return math.nan
-
-
-def _is_fibre(solid: Element) -> bool:
-    kind = str(solid.get("type")).lower()
-    return any(word.lower() in kind for word in _FIBRES)
 
 
 def _permeability(law: Element | None) -> float:

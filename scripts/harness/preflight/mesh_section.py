@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from harness.arrays import Ids
+from harness.arrays import Array, Ids, Mask
 from harness.errors import ModelError
 from harness.preflight import elements
-from harness.preflight.elements import Points
 from harness.preflight.xml_file import (
     Document,
     Element,
@@ -35,23 +33,12 @@ SECTIONS = ("Nodes", "Elements", "NodeSet", "Surface", "Edge", "ElementSet", "Pa
 
 @dataclass(frozen=True)
 class Block:
-    """Elements of one type and name.
-
-    Attributes
-    ----------
-    name : str
-    shape : Shape
-    nodes : ndarray of int, shape (n_elements, n_nodes)
-        Places of the nodes in the mesh's list, from 0.
-    ids : ndarray of int, shape (n_elements,)
-        Numbers of the elements in the file.
-    tag : Element
-    """
+    """Elements of one type and name."""
 
     name: str
     shape: elements.Shape
-    nodes: Ids
-    ids: Ids
+    nodes: Ids  # shape (n_elements, n_nodes): places of the nodes in the mesh's list, from 0
+    ids: Ids  # shape (n_elements,): numbers of the elements in the file
     tag: Element
 
     @property
@@ -62,22 +49,11 @@ class Block:
 
 @dataclass(frozen=True)
 class Surface:
-    """A named surface.
-
-    Attributes
-    ----------
-    name : str
-    corners : ndarray of int, shape (n_facets, 4)
-        Places of the corner nodes; a triangle repeats its last corner.
-    kinds : tuple of str
-        FEBio's facet types.
-    tag : Element
-    facet_tags : tuple of Element
-    """
+    """A named surface."""
 
     name: str
-    corners: Ids
-    kinds: tuple[str, ...]
+    corners: Ids  # shape (n_facets, 4): places of the corner nodes; a triangle repeats its last corner
+    kinds: tuple[str, ...]  # FEBio's facet types
     tag: Element
     facet_tags: tuple[Element, ...]
 
@@ -94,20 +70,11 @@ class Pair:
 
 @dataclass(frozen=True)
 class Mesh:
-    """All of it.
+    """All of it."""
 
-    Attributes
-    ----------
-    points : ndarray, shape (n_nodes, 3)
-    blocks : tuple of Block
-    node_sets : dict of str to ndarray of int
-        What FEBio makes node sets from is here too, as ``@surface:name``, ``@edge:``, ``@elem_set:``, ``@part_list:``.
-    surfaces : dict of str to Surface
-    pairs : dict of str to Pair
-    """
-
-    points: Points
+    points: Array  # shape (n_nodes, 3)
     blocks: tuple[Block, ...]
+    # What FEBio makes node sets from is here too, as ``@surface:name``, ``@edge:``, ``@elem_set:``, ``@part_list:``.
     node_sets: dict[str, Ids]
     surfaces: dict[str, Surface]
     pairs: dict[str, Pair]
@@ -133,28 +100,15 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Faces:
-    """Faces of volume elements.
+    """Faces of volume elements."""
 
-    Attributes
-    ----------
-    corners : ndarray of int, shape (n_faces, 4)
-        Counter-clockwise seen from outside their element.
-    element : ndarray of int, shape (n_faces,)
-        Number of their element, counted through all volume blocks.
-    key : ndarray of int, shape (n_faces,)
-        Equal for faces of the same nodes.
-    volume : ndarray, shape (n_elements,)
-    block : ndarray of int, shape (n_elements,)
-        Place of each element's block among the mesh's blocks.
-    """
+    corners: Ids  # shape (n_faces, 4): counter-clockwise seen from outside their element
+    element: Ids  # shape (n_faces,): number of their element, counted through all volume blocks
+    key: Ids  # shape (n_faces,): equal for faces of the same nodes
+    volume: Array  # shape (n_elements,)
+    block: Ids  # shape (n_elements,): place of each element's block among the mesh's blocks
 
-    corners: Ids
-    element: Ids
-    key: Ids
-    volume: NDArray[np.float64]
-    block: Ids
-
-    def outer(self, chosen: NDArray[np.bool_]) -> Ids:
+    def outer(self, chosen: Mask) -> Ids:
         """Places of the faces that have a chosen element, shape (n_elements,), on one side alone."""
         own = np.flatnonzero(chosen[self.element])
         count = np.bincount(self.key[own], minlength=int(self.key.max(initial=0)) + 1)
@@ -183,25 +137,18 @@ def _keys(corners: Ids) -> Ids:
 
 
 def _faces(mesh: Mesh) -> Faces:
-    corners, element, volume, number = [], [], [], []
-    first = 0
-    for place_, block in enumerate(mesh.blocks):
-        if not block.solid or not len(block.nodes):
+    corners, volume = [np.empty((0, 4), dtype=np.int64)], [np.empty(0)]
+    element, block = [np.empty(0, dtype=np.int64)], [np.empty(0, dtype=np.int64)]
+    for number, own in enumerate(mesh.blocks):
+        if not own.solid or not len(own.nodes):
             continue
-        own = block.nodes[:, block.shape.corner_faces]
-        corners.append(own.reshape(-1, 4))
-        count = len(block.nodes)
-        element.append(np.repeat(np.arange(first, first + count), own.shape[1]))
-        volume.append(elements.volumes(mesh.points[own]))
-        number.append(np.full(count, place_))
-        first += count
-    if not corners:
-        none = np.empty(0, dtype=np.int64)
-        return Faces(np.empty((0, 4), dtype=np.int64), none, none, np.empty(0), none)
-    all_corners = np.concatenate(corners)
-    return Faces(
-        all_corners, np.concatenate(element), _keys(all_corners), np.concatenate(volume), np.concatenate(number)
-    )
+        faces, count, first = own.nodes[:, own.shape.corner_faces], len(own.nodes), sum(map(len, volume))
+        corners.append(faces.reshape(-1, 4))
+        element.append(np.repeat(np.arange(first, first + count), faces.shape[1]))
+        volume.append(elements.volumes(mesh.points[faces]))
+        block.append(np.full(count, number))
+    joined = np.concatenate(corners)
+    return Faces(joined, np.concatenate(element), _keys(joined), np.concatenate(volume), np.concatenate(block))
 
 
 # ---- reading ----
@@ -214,13 +161,7 @@ class _Numbering:
     ids: Ids
 
     def places(self, numbers: Iterable[int], tag: Element) -> Ids:
-        """Places of nodes.
-
-        Raises
-        ------
-        ModelError
-            A node does not exist.
-        """
+        """Places of nodes. Raises ModelError where a node does not exist."""
         wanted = np.array(list(numbers), dtype=np.int64)
         found = np.minimum(np.searchsorted(self.ids, wanted), len(self.ids) - 1)
         missing = wanted[self.ids[found] != wanted] if len(wanted) else wanted
@@ -230,13 +171,7 @@ class _Numbering:
 
 
 def read(document: Document) -> Mesh:
-    """Read the mesh.
-
-    Raises
-    ------
-    ModelError
-        What is missing, unknown or malformed; names file, line and tag.
-    """
+    """Read the mesh. Raises ModelError: what is missing, unknown or malformed; names file, line and tag."""
     _refuse_unknown(document)
     points, numbering, sets = _read_nodes(document)
     blocks = tuple(_read_block(tag, numbering) for tag in document.all("Mesh", "Elements"))
@@ -247,7 +182,10 @@ def read(document: Document) -> Mesh:
     surfaces = {attribute(tag, "name"): _read_surface(tag, numbering) for tag in document.all("Mesh", "Surface")}
     pairs = {attribute(tag, "name"): _read_pair(tag, surfaces) for tag in document.all("Mesh", "SurfacePair")}
     sets |= {f"@surface:{name}": np.unique(surface.corners) for name, surface in surfaces.items()}
-    sets |= _sets_of_edges(document, numbering) | _sets_of_elements(document, blocks)
+    for tag in document.all("Mesh", "Edge"):
+        nodes = [node for edge in children(tag) for node in integers(edge)]
+        sets[f"@edge:{attribute(tag, 'name')}"] = np.unique(numbering.places(nodes, tag))
+    sets |= _sets_of_elements(document, blocks)
     return Mesh(points, blocks, sets, surfaces, pairs)
 
 
@@ -258,14 +196,6 @@ def _refuse_unknown(document: Document) -> None:
                 raise ModelError(
                     f"{place(tag)}: FEBio 4 reads no <{tag.tag}> in <Mesh>; there is {', '.join(SECTIONS)}"
                 )
-
-
-def _sets_of_edges(document: Document, numbering: _Numbering) -> dict[str, Ids]:
-    found = {}
-    for tag in document.all("Mesh", "Edge"):
-        nodes = [node for edge in children(tag) for node in integers(edge)]
-        found[f"@edge:{attribute(tag, 'name')}"] = np.unique(numbering.places(nodes, tag))
-    return found
 
 
 def _sets_of_elements(document: Document, blocks: tuple[Block, ...]) -> dict[str, Ids]:
@@ -285,9 +215,9 @@ def _sets_of_elements(document: Document, blocks: tuple[Block, ...]) -> dict[str
     return found
 
 
-def _read_nodes(document: Document) -> tuple[Points, _Numbering, dict[str, Ids]]:
+def _read_nodes(document: Document) -> tuple[Array, _Numbering, dict[str, Ids]]:
     ids: list[int] = []
-    points: list[Points] = []
+    points: list[Array] = []
     sets: dict[str, Ids] = {}
     for section in document.all("Mesh", "Nodes"):
         first = len(ids)

@@ -1,7 +1,5 @@
 """A model file as `check` sees it: mesh, materials, contacts, steps, conditions."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -9,13 +7,12 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array, Ids
 from harness.errors import ModelError
-from harness.preflight import materials, mesh_section
-from harness.preflight import xml_file as documents
+from harness.preflight import materials, mesh_section, xml_file
 from harness.preflight.contact_types import MIXTURE, TIED_TYPES, TYPES, ContactType
-from harness.preflight.formats import newest
+from harness.preflight.formats import read_newest
 from harness.preflight.materials import Material
 from harness.preflight.mesh_section import Mesh, Pair
 from harness.preflight.plugin_types import PLUGIN_TYPES
@@ -40,20 +37,11 @@ METHODS = next(parameter.choices for parameter in PLUGIN_TYPES[MIXTURE] if param
 
 @dataclass(frozen=True)
 class Contact:
-    """A sliding contact.
-
-    Attributes
-    ----------
-    kind : ContactType
-    pair : Pair
-    step : int
-        Number of its analysis step, from 1; 0 where it is there in all.
-    tag : Element
-    """
+    """A sliding contact."""
 
     kind: ContactType
     pair: Pair
-    step: int
+    step: int  # number of its analysis step, from 1; 0 where it is there in all
     tag: Element
 
     def given(self, name: str) -> Element | None:
@@ -67,7 +55,7 @@ class Contact:
 
     def on(self, name: str) -> bool:
         """Whether a switch is on."""
-        return documents.flag(self.tag, name)
+        return xml_file.flag(self.tag, name)
 
     @property
     def drains(self) -> bool:
@@ -104,7 +92,7 @@ class Contact:
     def method(self) -> int | None:
         """Place of <laugon> in `METHODS`; None where it is none of them."""
         found = self.given("laugon")
-        return 0 if found is None else documents.chosen(text(found), METHODS)
+        return 0 if found is None else xml_file.chosen(text(found), METHODS)
 
     @property
     def name(self) -> str:
@@ -114,17 +102,9 @@ class Contact:
 
 @dataclass(frozen=True)
 class Condition:
-    """A boundary condition, initial condition or load.
+    """A boundary condition, initial condition or load."""
 
-    Attributes
-    ----------
-    kind : str
-        FEBio's type.
-    step : int
-    tag : Element
-    """
-
-    kind: str
+    kind: str  # FEBio's type
     step: int
     tag: Element
 
@@ -157,14 +137,11 @@ class Model:
         named = {}
         for section in self.document.all("MeshDomains"):
             for domain in children(section):
-                named[str(domain.get("name"))] = self._material_of(domain)
+                material = attribute(domain, "mat")
+                if material not in self.materials:
+                    raise unknown_name(domain, "material", material, self.materials)
+                named[str(domain.get("name"))] = self.materials[material]
         return tuple(named.get(block.name) for block in self.mesh.blocks)
-
-    def _material_of(self, domain: Element) -> Material:
-        name = attribute(domain, "mat")
-        if name not in self.materials:
-            raise unknown_name(domain, "material", name, self.materials)
-        return self.materials[name]
 
     @cached_property
     def gas_constant_and_temperature(self) -> float:
@@ -179,6 +156,10 @@ class Model:
         """Control sections, in order of the steps."""
         return self.document.each("Control")
 
+    def of_solvers(self, name: str) -> Iterator[Element]:
+        """Tags of a name in the solvers of all steps."""
+        return (tag for each in self.controls for solver in children(each, "solver") for tag in children(solver, name))
+
     @cached_property
     def contact_pairs(self) -> tuple[Pair, ...]:
         """Surface pairs of all contacts, tied and other ones too."""
@@ -188,32 +169,32 @@ class Model:
     @cached_property
     def boundary(self) -> tuple[Condition, ...]:
         """Boundary conditions."""
-        return tuple(self._conditions("Boundary", "bc"))
+        return self._conditions("Boundary", "bc")
 
     @cached_property
     def initial(self) -> tuple[Condition, ...]:
         """Initial conditions."""
-        return tuple(self._conditions("Initial", "ic"))
+        return self._conditions("Initial", "ic")
 
     @cached_property
     def loads(self) -> tuple[Condition, ...]:
         """Loads of all kinds."""
-        return tuple(self._conditions("Loads", None))
+        return self._conditions("Loads", None)
 
-    def _conditions(self, section: str, tag: str | None) -> Iterator[Condition]:
-        for step, found in self.document.everywhere(section, tag):
-            yield Condition(str(found.get("type")), step, found)
+    def _conditions(self, section: str, tag: str | None) -> tuple[Condition, ...]:
+        found = self.document.everywhere(section, tag)
+        return tuple(Condition(str(each.get("type")), step, each) for step, each in found)
 
     @cached_property
-    def curves(self) -> Mapping[str, NDArray[np.float64]]:
+    def curves(self) -> Mapping[str, Array]:
         """Points (time, value) of the load curves, by their ids; other controllers have no points."""
         found = {}
         for tag in self.document.all("LoadData", "load_controller"):
-            points = [documents.floats(point, 2) for part in children(tag, "points") for point in children(part)]
+            points = [xml_file.floats(point, 2) for part in children(tag, "points") for point in children(part)]
             found[attribute(tag, "id")] = np.array(points).reshape(-1, 2)
         return found
 
-    def history(self, tag: Element) -> NDArray[np.float64]:
+    def history(self, tag: Element) -> Array:
         """Points (time, value) of a parameter; one point without a load curve, none where the value is a formula."""
         try:
             value = float(text(tag))
@@ -228,14 +209,8 @@ class Model:
             raise ModelError(f"{place(tag)}: refers to load controller {shortened(curve)}; there is {known}")
         return points * (1.0, value)
 
-    def nodes(self, condition: Condition) -> NDArray[np.int64]:
-        """Places of the nodes of a condition.
-
-        Raises
-        ------
-        ModelError
-            Where the set does not exist.
-        """
+    def nodes(self, condition: Condition) -> Ids:
+        """Places of the nodes of a condition. Raises ModelError where the set does not exist."""
         name = attribute(condition.tag, "node_set")
         found = self.mesh.node_sets.get(name)
         if found is None:
@@ -247,14 +222,11 @@ class Model:
 def read(path: Path, instead: Contents = AS_THEY_ARE) -> Model:
     """Read a model file and what it includes; what `instead` has is read in place of files.
 
-    Raises
-    ------
-    ModelError
-        Names the file, line and tag, and what is allowed.
+    Raises ModelError: names the file, line and tag, and what is allowed.
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = newest.read(path, instead)
+    document = read_newest(path, instead)
     module = next(document.all("Module"), None)
     if module is None:
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')

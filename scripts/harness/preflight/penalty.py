@@ -1,13 +1,9 @@
 """The penalty that a contact will have for a field, and what it lets through."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from harness.arrays import Array
 from harness.closed_forms.penalty_leak import relative_jump
 from harness.preflight.sides import TRACTION, Field, Joint
 from harness.preflight.xml_file import Element
@@ -18,25 +14,14 @@ TRACTION_FACTOR, FLUX_FACTOR = 1e3, 1e5
 
 @dataclass(frozen=True)
 class Penalty:
-    """A penalty in effect; NaN where a property of a material is no number.
+    """A penalty in effect; NaN where a property of a material is no number."""
 
-    Attributes
-    ----------
-    value : float
-        eps, in the unit of the field: MPa/mm, mm^3/(N s) or mm/s.
-    local : float
-        Stiffness or conductance of the adjoining elements that it is measured against, same unit.
-    given, factor : bool
-        Whether the model has it, and whether that is a factor on `local`.
-    tag : Element
-        Where to change it.
-    """
-
-    value: float
-    local: float
+    value: float  # eps, in the unit of the field: MPa/mm, mm^3/(N s) or mm/s
+    local: float  # stiffness or conductance of the adjoining elements that it is measured against, same unit
+    # Whether the model has it, and whether that is a factor on `local`.
     given: bool
     factor: bool
-    tag: Element
+    tag: Element  # where to change it
 
 
 def penalty(joint: Joint, field: Field) -> Penalty:
@@ -48,7 +33,8 @@ def penalty(joint: Joint, field: Field) -> Penalty:
     contact = joint.contact
     tag = contact.given(field.penalty)
     mixture = contact.kind.is_mixture
-    primary = _mean(joint.primary.conductances(field))
+    own = joint.primary.conductances(field)
+    primary = float(own.mean()) if len(own) else math.nan
     local = in_series(primary, harmonic_mean(joint.secondary.conductances(field))) if mixture else primary
     default = (TRACTION_FACTOR if field == TRACTION else FLUX_FACTOR) if mixture else 1.0
     factor = default if tag is None else largest(joint, tag)
@@ -81,17 +67,7 @@ def leak(joint: Joint, field: Field, value: float) -> float:
     return 1.0 if value == 0.0 else relative_jump((resistance,), value)
 
 
-def penalty_for(joint: Joint, field: Field, wanted: float) -> float:
-    """The penalty with which the leak is `wanted`."""
-    resistance = joint.primary.resistance(field) + joint.secondary.resistance(field)
-    return (1.0 / wanted - 1.0) / resistance
-
-
-def _mean(values: NDArray[np.float64]) -> float:
-    return float(values.mean()) if len(values) else math.nan
-
-
-def harmonic_mean(values: NDArray[np.float64]) -> float:
+def harmonic_mean(values: Array) -> float:
     """Of the positive values; infinite ones are no resistance. NaN without any."""
     positive = values[values > 0.0]
     if not len(positive):

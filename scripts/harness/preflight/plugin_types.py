@@ -3,8 +3,6 @@
 `mixture-contact --contact-types` prints that file.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,34 +13,17 @@ FILE = Path(__file__).with_name("plugin_types.json")
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of one of the plugin's contact types.
+    """A parameter of one of the plugin's contact types."""
 
-    Attributes
-    ----------
-    name, long_name : str
-        In a model file, and in FEBio Studio.
-    group : str, optional
-        Its heading in FEBio Studio; none for what FEBio Studio does not offer.
-    unit : str
-        `length`, `pressure`, `concentration`, or empty.
-    kind : str
-        `switch`, `integer`, `number`, `word` or `values per solute`.
-    default : str
-        As it would stand in a model file.
-    choices : tuple of str
-        Names of the values 0, 1 and so on, if they have names.
-    curve : bool
-        Whether a load curve may change it.
-    """
-
+    # In a model file, and in FEBio Studio.
     name: str
     long_name: str
-    group: str | None
-    unit: str
-    kind: str
-    default: str
-    choices: tuple[str, ...]
-    curve: bool
+    group: str | None  # its heading in FEBio Studio; none for what FEBio Studio does not offer
+    unit: str  # `length`, `pressure`, `concentration`, or empty
+    kind: str  # `switch`, `integer`, `number`, `word` or `values per solute`
+    default: str  # as it would stand in a model file
+    choices: tuple[str, ...]  # names of the values 0, 1 and so on, if they have names
+    curve: bool  # whether a load curve may change it
 
 
 def read(text: str) -> Mapping[str, tuple[Parameter, ...]]:

@@ -5,88 +5,55 @@ that face the ray, and a little beyond their edges; libraries return what lies i
 are fast.
 """
 
-from __future__ import annotations
-
-from dataclasses import dataclass
-
 import numpy as np
-from numpy.typing import NDArray
 
-Points = NDArray[np.float64]
-CHUNK = 2_000_000
-"""Pairs of ray and triangle that are looked at together."""
-OUTSIDE = 0.01
-"""How far outside a triangle a ray still counts, in its barycentric coordinates."""
+from harness.arrays import Array
+
+CHUNK = 2_000_000  # pairs of ray and triangle that are looked at together
+OUTSIDE = 0.01  # how far outside a triangle a ray still counts, in its barycentric coordinates
 OPPOSED = 0.5
 """Least cosine, but for its sign, between a ray and the normal of what faces it: contact counts nothing below."""
-STEEP = 1e-3
-"""Least cosine between a ray and the normal where it leaves a body."""
+STEEP = 1e-3  # least cosine between a ray and the normal where it leaves a body
 
 
-@dataclass(frozen=True)
-class Hits:
-    """What each ray meets.
-
-    Attributes
-    ----------
-    distance : ndarray, shape (n_rays,)
-        Along the ray, negative behind its origin; NaN where it meets nothing.
-    triangle : ndarray of int, shape (n_rays,)
-        -1 where it meets nothing.
-    """
-
-    distance: NDArray[np.float64]
-    triangle: NDArray[np.int64]
-
-
-def triangles(corners: Points) -> Points:
+def triangles(corners: Array) -> Array:
     """Two triangles for each face, shape (2 n, 3, 3), from corners (n, 4, 3); of a triangle the second has no area."""
     return np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
 
 
-def nearest_facing(
-    origins: Points, directions: Points, targets: Points, depth: NDArray[np.float64] | None = None
-) -> Hits:
-    """Nearest triangle, in front or behind, that faces each ray: its normal points against the ray.
+def nearest_facing(origins: Array, directions: Array, targets: Array, depth: Array | None = None) -> Array:
+    """Distance along each ray, negative behind its origin, to the nearest triangle that faces it; NaN without any.
 
-    Parameters
-    ----------
-    origins, directions : ndarray, shape (n_rays, 3)
-        Directions of length one.
-    targets : ndarray, shape (n_triangles, 3, 3)
-    depth : ndarray, shape (n_rays,)
-        Where the rays leave their own body behind their origins, beyond which they see nothing; NaN: nowhere.
+    The normal of such a triangle points against the ray.
+
+    origins, directions: shape (n_rays, 3), directions of length one.
+    targets: shape (n_triangles, 3, 3).
+    depth: shape (n_rays,), where the rays leave their own body behind their origins, beyond which they see nothing;
+        NaN: nowhere.
     """
     least = None if depth is None else -np.where(np.isnan(depth), np.inf, depth)
     return _nearest(origins, directions, targets, facing=True, least=least)
 
 
-def first_exit(origins: Points, directions: Points, targets: Points, least: NDArray[np.float64]) -> Hits:
-    """First triangle beyond the distance `least` whose normal points along the ray: where it leaves a body."""
+def first_exit(origins: Array, directions: Array, targets: Array, least: Array) -> Array:
+    """Distance to the first triangle beyond `least` whose normal points along the ray: where it leaves a body."""
     return _nearest(origins, directions, targets, facing=False, least=least)
 
 
-def _nearest(
-    origins: Points, directions: Points, targets: Points, *, facing: bool, least: NDArray[np.float64] | None = None
-) -> Hits:
-    count = len(origins)
-    distance, triangle = np.full(count, np.nan), np.full(count, -1, dtype=np.int64)
+def _nearest(origins: Array, directions: Array, targets: Array, *, facing: bool, least: Array | None = None) -> Array:
+    distance = np.full(len(origins), np.nan)
     size = max(1, CHUNK // max(1, len(targets)))
-    for start in range(0, count if len(targets) else 0, size):
+    for start in range(0, len(origins) if len(targets) else 0, size):
         part = slice(start, start + size)
         met = _distances(origins[part], directions[part], targets, facing)
         if least is not None:
             met[~(met > least[part, None])] = np.nan
-        far = np.where(np.isnan(met), np.inf, np.abs(met))
-        best = np.argmin(far, axis=1)
-        row = np.arange(len(best))
-        found = np.isfinite(far[row, best])
-        distance[part] = met[row, best]
-        triangle[part] = np.where(found, best, -1)
-    return Hits(distance, triangle)
+        best = np.argmin(np.where(np.isnan(met), np.inf, np.abs(met)), axis=1)
+        distance[part] = met[np.arange(len(best)), best]
+    return distance
 
 
-def _distances(origins: Points, directions: Points, targets: Points, facing: bool) -> NDArray[np.float64]:
+def _distances(origins: Array, directions: Array, targets: Array, facing: bool) -> Array:
     """Signed distance of each ray to each triangle (n_rays, n_triangles), NaN where it misses; Moeller and Trumbore
     (1997), J Graph Tools 2(1):21-28.
     """

@@ -8,9 +8,8 @@ from functools import cached_property
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array, Ids
+from harness.arrays import Array, Ids, Mask
 from harness.preflight import elements, rays
 from harness.preflight.contact_types import UNLIMITED_SEARCH
 from harness.preflight.materials import Material
@@ -20,33 +19,20 @@ from harness.preflight.model import Contact, Model
 MOST_FACETS, LEAST_FACETS, MOST_PAIRS = 1000, 100, 10_000_000
 """So many facets of a surface are looked at for gaps; fewer where the other surface has many. Of larger surfaces every
 n-th is."""
-NEAREST = 20
-"""So many facets are looked at closely."""
-MOST_DEPTHS = 40
-"""So many facets are looked at for the depth of the body behind them."""
+NEAREST = 20  # so many facets are looked at closely
+MOST_DEPTHS = 40  # so many facets are looked at for the depth of the body behind them
 SIDES = ("primary", "secondary")
-DEFAULT_RADIUS = 1.0
-"""`search_radius` of FEBio's interfaces where the model does not give it."""
+DEFAULT_RADIUS = 1.0  # `search_radius` of FEBio's interfaces where the model does not give it
 
 
 @dataclass(frozen=True)
 class Side:
-    """One surface of a contact.
-
-    Attributes
-    ----------
-    model : Model
-    surface : Surface
-    turned : bool
-        Whether the contact turns its facets round.
-    at_back : bool
-        Whether it is the back faces of shells, which lie a thickness behind these nodes.
-    """
+    """One surface of a contact."""
 
     model: Model
     surface: Surface
-    turned: bool = False
-    at_back: bool = False
+    turned: bool = False  # whether the contact turns its facets round
+    at_back: bool = False  # whether it is the back faces of shells, which lie a thickness behind these nodes
 
     @cached_property
     def corners(self) -> Array:
@@ -89,12 +75,12 @@ class Side:
         return np.array([found[0] if len(found) else -1 for found in self.behind], dtype=np.int64)
 
     @cached_property
-    def found(self) -> NDArray[np.bool_]:
+    def found(self) -> Mask:
         """Facets with a volume element behind them."""
         return self.face >= 0
 
     @cached_property
-    def inverted(self) -> NDArray[np.bool_]:
+    def inverted(self) -> Mask:
         """Facets whose nodes run clockwise seen from outside their element; not those inside a body."""
         faces = self.model.mesh.faces
         alone = np.array([len(found) == 1 for found in self.behind], dtype=bool)
@@ -149,10 +135,10 @@ class Side:
         does not.
         """
         least = np.full(len(origins), 1e-6 * float(np.linalg.norm(np.ptp(self.corners, axis=(0, 1)))))
-        return rays.first_exit(origins, -normals, rays.triangles(self.corners), least).distance
+        return rays.first_exit(origins, -normals, rays.triangles(self.corners), least)
 
-    def look_at(self, targets: Array, origins: Array, normals: Array) -> rays.Hits:
-        """What these places see of the triangles of another surface: nothing through the own body."""
+    def look_at(self, targets: Array, origins: Array, normals: Array) -> Array:
+        """Distances (mm) of triangles of another surface that these places see: nothing through the own body."""
         return rays.nearest_facing(origins, normals, targets, self.depths(origins, normals))
 
     def conductances(self, field: Field) -> Array:
@@ -177,7 +163,7 @@ class Side:
         """Depth of the deformable part of the body behind the surface, mm."""
         return self._depth(self._elements_with(TRACTION))
 
-    def _elements_with(self, field: Field) -> NDArray[np.bool_]:
+    def _elements_with(self, field: Field) -> Mask:
         """Volume elements of the surface's bodies whose property is neither zero nor infinite, shape (n_elements,)."""
         faces, bodies = self.model.mesh.faces, self.model.mesh.bodies
         chosen = [k for k, m in enumerate(self.model.block_materials) if m is None or _limited(field.property_of(m))]
@@ -185,18 +171,18 @@ class Side:
         own[faces.element] = np.isin(bodies[faces.corners[:, 0]], list(self.bodies))
         return np.asarray(own & np.isin(faces.block, chosen))
 
-    def _depth(self, own: NDArray[np.bool_]) -> float:
+    def _depth(self, own: Mask) -> float:
         """Median depth of these elements along the inward normal; their thickness where no ray leaves them."""
         faces = self.model.mesh.faces
         targets = rays.triangles(self.model.mesh.points[faces.corners[faces.outer(own)]])
         step = max(1, len(self.centres) // MOST_DEPTHS)
         pick = np.flatnonzero(self.found)[::step]
         inward = np.where(self.inverted[pick, None], 1.0, -1.0) * self.normals[pick]
-        hits = rays.first_exit(self.centres[pick], inward, targets, 0.01 * self.thickness[pick])
-        known = hits.distance[np.isfinite(hits.distance)]
+        depths = rays.first_exit(self.centres[pick], inward, targets, 0.01 * self.thickness[pick])
+        known = depths[np.isfinite(depths)]
         return float(np.median(known)) if len(known) else float(np.nanmedian(self.thickness))
 
-    def _mean_resistivity(self, field: Field, own: NDArray[np.bool_]) -> float:
+    def _mean_resistivity(self, field: Field, own: Mask) -> float:
         """Mean of 1/G over the volume of these elements."""
         faces, known = self.model.mesh.faces, self.model.block_materials
         values = np.array([math.nan if material is None else field.property_of(material) for material in known])
@@ -211,23 +197,12 @@ def _limited(value: float) -> bool:
 
 @dataclass(frozen=True)
 class Field:
-    """What a contact exchanges, and the parameter of its penalty.
+    """What a contact exchanges, and the parameter of its penalty."""
 
-    Attributes
-    ----------
-    name : str
-        In plain words.
-    penalty : str
-    tolerance : str
-        Parameter of the absolute tolerance.
-    solute : int
-        Number of the solute; 0 for others.
-    """
-
-    name: str
+    name: str  # in plain words
     penalty: str
-    tolerance: str
-    solute: int = 0
+    tolerance: str  # parameter of the absolute tolerance
+    solute: int = 0  # number of the solute; 0 for others
 
     def property_of(self, material: Material) -> float:
         """Modulus, permeability or phi_w kappa~ d."""
@@ -297,10 +272,10 @@ class Joint:
         """
         side, targets = self.primary, rays.triangles(self.secondary.facing_corners)
         pick = sample(len(side.centres), len(targets))
-        centres = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
+        centres = side.look_at(targets, side.centres[pick], side.normals[pick])
         near = pick[np.argsort(np.where(np.isnan(centres), np.inf, centres))[:NEAREST]]
         normals = side.normals[near].repeat(4, axis=0)
-        corners = side.look_at(targets, side.corners[near].reshape(-1, 3), normals).distance
+        corners = side.look_at(targets, side.corners[near].reshape(-1, 3), normals)
         return np.concatenate([centres, corners])
 
     def facing(self) -> Joint:

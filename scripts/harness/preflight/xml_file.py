@@ -1,7 +1,5 @@
 """A model file with the files that it includes, as FEBio reads them; numbers in it; places in it."""
 
-from __future__ import annotations
-
 import codecs
 import itertools
 import math
@@ -14,22 +12,18 @@ from typing import TypeAlias, cast
 
 import numpy as np
 from lxml import etree
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.errors import ModelError
 from harness.preflight import byte_spans
 from harness.preflight.byte_spans import Place
 
 Element = etree._Element
-Contents: TypeAlias = Mapping[Path, bytes]
-"""What is read in place of files, by their paths."""
+Contents: TypeAlias = Mapping[Path, bytes]  # what is read in place of files, by their paths
 AS_THEY_ARE: Contents = MappingProxyType({})
-VERSIONS = ("2.5", "3.0", "4.0")
-"""Formats of model files, the newest last."""
-WITHOUT_CONTENT = "without_content"
-"""Attribute of a contact that is written with two tags and has nothing between them."""
-WRITTEN_AS = "written_as"
-"""Attribute with line and tag of what an element is made from, where the file has another one."""
+VERSIONS = ("2.5", "3.0", "4.0")  # formats of model files, the newest last
+WITHOUT_CONTENT = "without_content"  # attribute of a contact that is written with two tags and has nothing between them
+WRITTEN_AS = "written_as"  # attribute with line and tag of what an element is made from, where the file has another one
 DEEPEST_INCLUDE = 8
 LONGEST_RANGE = 50_000_000
 LONGEST_NAME, MOST_NAMES = 80, 20
@@ -38,13 +32,7 @@ _TELLING = ("name", "id", "sol", "type", "bc")
 
 
 def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
-    """Root of a model file, where contacts of two tags without content are marked.
-
-    Raises
-    ------
-    ModelError
-        As `root_of`.
-    """
+    """Root of a model file, where contacts of two tags without content are marked. Raises ModelError: as `root_of`."""
     data = content(path, instead)
     root = root_of(path, data)
     _mark_empty_contacts(root, data)
@@ -52,13 +40,7 @@ def parse(path: Path, instead: Contents = AS_THEY_ARE) -> Element:
 
 
 def root_of(path: Path, data: bytes) -> Element:
-    """Root of the content of a model file.
-
-    Raises
-    ------
-    ModelError
-        It is no XML, or no FEBio model of one of `VERSIONS`.
-    """
+    """Root of the content of a model file. Raises ModelError where it is no FEBio model of one of `VERSIONS`."""
     parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
     try:
         root = etree.fromstring(data, parser, base_url=str(path))
@@ -87,12 +69,7 @@ def _mark_empty_contacts(root: Element, data: bytes) -> None:
 
 
 def content(path: Path, instead: Contents = AS_THEY_ARE) -> bytes:
-    """The bytes of a file.
-
-    Raises
-    ------
-    ModelError
-    """
+    """The bytes of a file. Raises ModelError."""
     if path in instead:
         return instead[path]
     try:
@@ -142,22 +119,12 @@ class Reference:
 
 @dataclass(frozen=True)
 class Document:
-    """The sections of a model, from all of its files, in the order in which FEBio reads them.
-
-    Attributes
-    ----------
-    path : Path
-    root : Element
-        Of the model file itself.
-    sections : tuple of Element
-    references : tuple of Reference
-        One before those in the file that it names.
-    """
+    """The sections of a model, from all of its files, in the order in which FEBio reads them."""
 
     path: Path
-    root: Element
+    root: Element  # of the model file itself
     sections: tuple[Element, ...]
-    references: tuple[Reference, ...] = ()
+    references: tuple[Reference, ...] = ()  # one before those in the file that it names
 
     @property
     def version(self) -> str:
@@ -189,10 +156,7 @@ class Document:
 def read(path: Path, instead: Contents = AS_THEY_ARE) -> Document:
     """Read a model file and what it includes, in the format in which it is written.
 
-    Raises
-    ------
-    ModelError
-        As `parse`; an included file that is missing, includes itself, or is of another format.
+    Raises ModelError: as `parse`; an included file that is missing, includes itself, or is of another format.
     """
     root = parse(path, instead)
     references: list[Reference] = []
@@ -235,10 +199,7 @@ def _section_from(section: Element, file: Path, root: Element) -> Element:
 def included(model: Path, where: Place, name: str, instead: Contents = AS_THEY_ARE) -> Path:
     """The file that a section names; FEBio looks beside the model file, or from where it is started.
 
-    Raises
-    ------
-    ModelError
-        There is none.
+    Raises ModelError where there is none.
     """
     beside = model.parent / name
     if name and (beside in instead or beside.is_file()):
@@ -255,17 +216,8 @@ def text(element: Element) -> str:
 
 
 def number(element: Element) -> float:
-    """The finite number in an element.
-
-    Raises
-    ------
-    ModelError
-        Where there is none.
-    """
-    try:
-        value = float(text(element))
-    except ValueError:
-        value = math.nan
+    """The finite number in an element. Raises ModelError where there is none."""
+    value = as_number(text(element))
     if not math.isfinite(value):
         raise ModelError(f"{place(element)}: is '{text(element)[:40]}'; a number is needed")
     return value
@@ -274,10 +226,13 @@ def number(element: Element) -> float:
 def optional_number(parent: Element, tag: str, default: float = math.nan) -> float:
     """The number in the child `tag`; `default` without it, NaN where it is a map or a formula."""
     found = parent.find(tag)
-    if found is None:
-        return default
+    return default if found is None else as_number(text(found))
+
+
+def as_number(value: str) -> float:
+    """The number that a text is; NaN where it is a map or a formula."""
     try:
-        return float(text(found))
+        return float(value)
     except ValueError:
         return math.nan
 
@@ -302,30 +257,16 @@ def chosen(value: str, words: Sequence[str]) -> int | None:
     return int(value) if value.isdecimal() and int(value) < len(words) else None
 
 
-def floats(element: Element, size: int) -> NDArray[np.float64]:
-    """So many finite numbers, separated by commas.
-
-    Raises
-    ------
-    ModelError
-    """
-    parts = text(element).split(",")
-    try:
-        values = np.array([float(part) for part in parts])
-    except ValueError:
-        values = np.array([math.nan])
+def floats(element: Element, size: int) -> Array:
+    """So many finite numbers, separated by commas. Raises ModelError."""
+    values = np.array([as_number(part) for part in text(element).split(",")])
     if len(values) != size or not np.isfinite(values).all():
         raise ModelError(f"{place(element)}: is '{text(element)[:60]}'; {size} numbers separated by commas are needed")
     return values
 
 
 def integers(element: Element) -> list[int]:
-    """Node or element numbers separated by commas; FEBio's ranges ``1:9`` or ``1:9:2`` count out.
-
-    Raises
-    ------
-    ModelError
-    """
+    """Node or element numbers separated by commas; FEBio's ranges ``1:9`` or ``1:9:2`` count out. Raises ModelError."""
     found: list[int] = []
     for part in text(element).replace("\n", ",").split(","):
         if not part.strip():
@@ -348,12 +289,7 @@ def _range(ends: list[int]) -> list[int]:
 
 
 def attribute(element: Element, name: str) -> str:
-    """An attribute that must be there.
-
-    Raises
-    ------
-    ModelError
-    """
+    """An attribute that must be there. Raises ModelError."""
     value = element.get(name)
     if not value:
         raise ModelError(f"{place(element)}: has no attribute '{name}', which FEBio needs")
@@ -361,12 +297,7 @@ def attribute(element: Element, name: str) -> str:
 
 
 def identifier(element: Element) -> int:
-    """The number in the attribute `id`.
-
-    Raises
-    ------
-    ModelError
-    """
+    """The number in the attribute `id`. Raises ModelError."""
     try:
         return int(attribute(element, "id"))
     except ValueError as error:

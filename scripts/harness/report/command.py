@@ -1,7 +1,5 @@
 """The command `report`."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from pathlib import Path
 from typing import Annotated
@@ -37,13 +35,8 @@ def report(
     if first:
         run(model)
     folder = output or model.with_name(f"{model.stem}-report")
-    made = contents.make(model, _made(folder))
-    console.print(str(page.write(made, folder)))
-
-
-def _made(folder: Path) -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise HarnessError(f"{folder}: {error.strerror}; --output takes a folder") from error
-    return folder
+    console.print(str(page.write(contents.make(model, folder), folder)))

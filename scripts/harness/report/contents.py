@@ -1,13 +1,11 @@
 """Makes the page of a run from its model file, its log and its plot file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
 
 from harness.errors import DataFileError
-from harness.preflight.formats import newest
+from harness.preflight.formats import read_newest
 from harness.preflight.xml_file import Document
 from harness.report import history, pictures, plot_file, vtk_files
 from harness.report.history import Contact
@@ -21,13 +19,10 @@ _WANTED_OF_FLUID = (history.FLUID[1], history.SOLVENT_FLOW, history.SOLUTE_FLOW)
 def make(model: Path, folder: Path) -> Page:
     """Draw the pictures of a run into a folder, with the surfaces as VTK files, and gather what its page says.
 
-    Raises
-    ------
-    DataFileError
-        No log or plot file beside the model, one that cannot be read, or no contact pressure in it.
+    Raises DataFileError: no log or plot file beside the model, one that cannot be read, or no contact pressure in it.
     """
     log = _text_of(model.with_suffix(".log"), model)
-    document = newest.read(model)
+    document = read_newest(model)
     plot = plot_file.read(model.with_suffix(".xplt"))
     contacts = history.contacts(plot)
     if not contacts:

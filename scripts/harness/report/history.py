@@ -1,16 +1,13 @@
 """Contact over time: force, area, pressure, the load that the fluid bears, and what crosses."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.report.plot_file import PlotFile, State
 from harness.report.surface import Surface
 
-Floats = NDArray[np.float64]
 PRESSURE = "contact pressure"
 FORCE = "contact force"
 FLUID = ("fluid pressure", "effective fluid pressure")
@@ -19,36 +16,20 @@ SOLVENT_FLOW, SOLUTE_FLOW = "contact solvent flow", "contact solute flow"
 
 @dataclass(frozen=True)
 class Contact:
-    """One surface of a contact over the states of a run; arrays have one entry per state.
-
-    Attributes
-    ----------
-    surface : Surface
-    place : int
-        Which of the plot file's surfaces it is.
-    time : numpy.ndarray
-        s.
-    force : numpy.ndarray
-        Magnitude of the contact force on the surface, N.
-    area : numpy.ndarray
-        Area of the facets under pressure, mm^2.
-    peak, mean : numpy.ndarray
-        Contact pressure: the largest of a facet, and its mean over the area, MPa.
-    fluid_share : numpy.ndarray
-        Part of the normal force that the fluid pressure bears in the contact; NaN where that is unknown.
-    flows : dict
-        Per solvent or solute what has left the body through the surface since the first state, mm^3 or nmol.
-    """
+    """One surface of a contact over the states of a run; arrays have one entry per state."""
 
     surface: Surface
-    place: int
-    time: Floats
-    force: Floats
-    area: Floats
-    peak: Floats
-    mean: Floats
-    fluid_share: Floats
-    flows: dict[str, Floats]
+    place: int  # which of the plot file's surfaces it is
+    time: Array  # s
+    force: Array  # magnitude of the contact force on the surface, N
+    area: Array  # area of the facets under pressure, mm^2
+    # Contact pressure: the largest of a facet, and its mean over the area, MPa.
+    peak: Array
+    mean: Array
+    # Part of the normal force that the fluid pressure bears in the contact; NaN where that is unknown.
+    fluid_share: Array
+    # Per solvent or solute what has left the body through the surface since the first state, mm^3 or nmol.
+    flows: dict[str, Array]
 
 
 def contacts(plot: PlotFile) -> list[Contact]:
@@ -69,7 +50,7 @@ def _contact(plot: PlotFile, place: int) -> Contact:
     return Contact(surface, place, time, force, area, peak, mean, share, _flows(plot, place, time))
 
 
-def pressures(state: State, surface: Surface, place: int) -> Floats:
+def pressures(state: State, surface: Surface, place: int) -> Array:
     """Contact pressure per facet [MPa]; zero where FEBio wrote none."""
     values = state.on_surfaces.get(PRESSURE, [None] * (place + 1))[place]
     return np.zeros(len(surface.facets)) if values is None else surface.at_facets(values)[:, 0]
@@ -89,27 +70,27 @@ def _instant(plot: PlotFile, state: State, place: int) -> tuple[float, float, fl
     return _force(state, place, pressure, vectors), area, float(pressure.max(initial=0.0)), mean, share
 
 
-def _force(state: State, place: int, pressure: Floats, vectors: Floats) -> float:
+def _force(state: State, place: int, pressure: Array, vectors: Array) -> float:
     """Contact force that FEBio wrote, or the integral of the pressure."""
     written = state.on_surfaces.get(FORCE, [])
     values = written[place] if place < len(written) else None
     return float(np.linalg.norm(-pressure @ vectors if values is None else values[0]))
 
 
-def _fluid_share(state: State, surface: Surface, loaded_areas: Floats, normal_force: float) -> float:
+def _fluid_share(state: State, surface: Surface, loaded_areas: Array, normal_force: float) -> float:
     for name in FLUID:
         values = state.in_domains.get(name)
         if values is None or normal_force <= 0:
             continue
-        at_facets = surface.mean_of_nodes(values)[:, 0]
+        at_facets = np.array([values[facet].mean(axis=0) for facet in surface.facets])[:, 0]
         if np.isfinite(at_facets).all():
             return float(at_facets @ loaded_areas / normal_force)
     return float("nan")
 
 
-def _flows(plot: PlotFile, place: int, time: Floats) -> dict[str, Floats]:
+def _flows(plot: PlotFile, place: int, time: Array) -> dict[str, Array]:
     """Flows through the surface, summed over time by the trapezoidal rule; none where the file has none."""
-    found: dict[str, Floats] = {}
+    found: dict[str, Array] = {}
     for name in (SOLVENT_FLOW, SOLUTE_FLOW):
         rates = [state.on_surfaces.get(name, [None] * (place + 1))[place] for state in plot.states]
         known = [rate[0] for rate in rates if rate is not None]

@@ -1,7 +1,5 @@
 """Writes the page of a run: one HTML file that holds its pictures and needs no network."""
 
-from __future__ import annotations
-
 import base64
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -22,14 +20,7 @@ td.n{text-align:right;font-variant-numeric:tabular-nums}
 
 @dataclass(frozen=True)
 class Table:
-    """A table under a heading.
-
-    Attributes
-    ----------
-    heading : str
-    columns : tuple of str
-    rows : list of tuple of str
-    """
+    """A table under a heading."""
 
     heading: str
     columns: tuple[str, ...]
@@ -75,15 +66,12 @@ def write(page: Page, folder: Path) -> Path:
 
 
 def _figures(pictures: Sequence[Picture]) -> str:
-    return '<div class="figures">' + "".join(map(_figure, pictures)) + "</div>"
-
-
-def _figure(picture: Picture) -> str:
-    data = base64.b64encode(picture.file.read_bytes()).decode("ascii")
-    caption = escape(picture.caption)
-    return (
-        f'<figure><img alt="{caption}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
-    )
+    made = ""
+    for picture in pictures:
+        data, caption = base64.b64encode(picture.file.read_bytes()).decode("ascii"), escape(picture.caption)
+        image = f'<img alt="{caption}" src="data:image/png;base64,{data}">'
+        made += f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
+    return f'<div class="figures">{made}</div>'
 
 
 def _table(table: Table) -> str:

@@ -1,24 +1,20 @@
 """Pictures of a run: contact pressure on the deformed surfaces in three dimensions, and curves over time."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pyvista
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.report import history
 from harness.report.history import Contact
 from harness.report.plot_file import PlotFile, State
 from harness.report.surface import Surface
 from harness.report.vtk_files import file_name, mesh_of
 
-Floats = NDArray[np.float64]
-SIZE = (900, 700)
-"""Pixels of a picture in three dimensions."""
+SIZE = (900, 700)  # pixels of a picture in three dimensions
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8", "#c77d0a", "#4a4e52")
 _COLOUR_MAP = "viridis"
 _HEX, _PENTA, _TET, _QUAD, _TRI, _PYRA = (8, 12), (6, 13), (4, 10), (4, 9), (3, 5), (5, 14)
@@ -31,8 +27,7 @@ _CELLS = {
     **dict.fromkeys((16, 18), _PYRA),
 }
 """Corners, and VTK's cell of as many corners, by FEBio's number of an element's shape in a plot file."""
-_HARDLY, _LONG = 0.05, 100.0
-"""Part of a contact's largest force, and ratio of its longest to its shortest step."""
+_HARDLY, _LONG = 0.05, 100.0  # part of a contact's largest force, and ratio of its longest to its shortest step
 _TILT = 0.6
 """How far the eye stands beside the mean normal of a surface, as a part of its distance: what is curved looks so."""
 
@@ -80,7 +75,7 @@ def _draw_surface(plot: PlotFile, state: State, contact: Contact, largest: float
     plotter.close()
 
 
-def body_of(plot: PlotFile, surface: Surface, positions: Floats) -> pyvista.PolyData | None:
+def body_of(plot: PlotFile, surface: Surface, positions: Array) -> pyvista.PolyData | None:
     """Return the outside of the domains that have nodes of the surface, and of what is joined to them by nodes."""
     members = set(surface.nodes.tolist())
     parts, rest = [], [domain for domain in plot.domains.values() if domain.kind in _CELLS]
@@ -98,7 +93,7 @@ def body_of(plot: PlotFile, surface: Surface, positions: Floats) -> pyvista.Poly
     return pyvista.merge(parts) if parts else None
 
 
-def _look_from_outside(plotter: pyvista.Plotter, outward: Floats, mesh: pyvista.PolyData) -> None:
+def _look_from_outside(plotter: pyvista.Plotter, outward: Array, mesh: pyvista.PolyData) -> None:
     """Place the eye above the surface, a little to a side; from a corner where the surface is closed."""
     size = float(np.linalg.norm(outward))
     normal = outward / size if size > 0.05 * mesh.area else np.ones(3) / np.sqrt(3)
@@ -134,22 +129,22 @@ def _named(contacts: Sequence[Contact]) -> list[tuple[str, Contact]]:
     ]
 
 
-def _known(lines: dict[str, Floats]) -> dict[str, Floats]:
+def _known(lines: dict[str, Array]) -> dict[str, Array]:
     return {name: values for name, values in lines.items() if np.isfinite(values).any()}
 
 
-def _loaded(contact: Contact) -> Floats:
+def _loaded(contact: Contact) -> Array:
     """Share of the fluid while the contact bears a load: a part of hardly any force says nothing."""
     return np.where(contact.force > _HARDLY * contact.force.max(), contact.fluid_share, np.nan)
 
 
-def _is_long(time: Floats) -> bool:
+def _is_long(time: Array) -> bool:
     """Whether a logarithmic axis shows a time that linear ones hide."""
     steps = np.diff(time)
     return len(steps) > 1 and float(steps.max()) > _LONG * float(steps.min())
 
 
-def _draw(name: str, title: str, lines: dict[str, Floats], time: Floats, folder: Path) -> Path:
+def _draw(name: str, title: str, lines: dict[str, Array], time: Array, folder: Path) -> Path:
     rows = -(-len(lines) // 2)
     figure = Figure(figsize=(5.6, 3.4 + 0.2 * rows), layout="constrained")
     axes = figure.subplots()

@@ -1,7 +1,5 @@
 """Reads FEBio's plot file (.xplt) with pyfebio's reader, into memory."""
 
-from __future__ import annotations
-
 import struct
 from collections import defaultdict
 from collections.abc import Iterator
@@ -13,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pyfebio import xplt
 
+from harness.arrays import Array, Ids
 from harness.errors import DataFileError
-from harness.report.surface import Integers, Surface, in_order_of_appearance
+from harness.report.surface import Surface, in_order_of_appearance
 
-Floats = NDArray[np.float64]
 _COMPRESSION = "PLT_HDR_COMPRESSION"
 _TAGS = {tag.name: number for number, tag in xplt.TAG_LUT.items()}
 _SURFACES, _DOMAINS = "meshes/0/surfaces/", "meshes/0/domains/"
@@ -24,64 +22,35 @@ _SURFACES, _DOMAINS = "meshes/0/surfaces/", "meshes/0/domains/"
 
 @dataclass(frozen=True)
 class State:
-    """Results at one time.
+    """Results at one time."""
 
-    Attributes
-    ----------
-    time : float
-        s.
-    nodal : dict
-        Per variable an array of shape (nodes, components).
-    on_surfaces : dict
-        Per variable a list with an array per surface, in the order of `PlotFile.surfaces`; None where FEBio wrote
-        nothing for a surface. Rows are facets, corners of facets, nodes of the surface, or one for the surface.
-    in_domains : dict
-        Per variable an array of shape (nodes, components) where FEBio wrote values at nodes of domains; NaN elsewhere.
-    """
-
-    time: float
-    nodal: dict[str, Floats]
-    on_surfaces: dict[str, list[Floats | None]]
-    in_domains: dict[str, Floats]
+    time: float  # s
+    nodal: dict[str, Array]  # per variable an array of shape (nodes, components)
+    # Per variable a list with an array per surface, in the order of `PlotFile.surfaces`; None where FEBio wrote nothing
+    # for a surface. Rows are facets, corners of facets, nodes of the surface, or one for the surface.
+    on_surfaces: dict[str, list[Array | None]]
+    # Per variable an array of shape (nodes, components) where FEBio wrote values at nodes of domains; NaN elsewhere.
+    in_domains: dict[str, Array]
 
 
 @dataclass(frozen=True, eq=False)
 class Domain:
-    """Elements of one kind.
+    """Elements of one kind."""
 
-    Attributes
-    ----------
-    kind : int
-        FEBio's number of the element's shape in a plot file.
-    elements : numpy.ndarray, shape (elements, nodes of each)
-        Nodes, counted from 0 in the mesh.
-    """
-
-    kind: int
-    elements: Integers
+    kind: int  # FEBio's number of the element's shape in a plot file
+    elements: Ids  # shape (elements, nodes of each): nodes, counted from 0 in the mesh
 
 
 @dataclass(frozen=True)
 class PlotFile:
-    """Mesh and results of a run.
+    """Mesh and results of a run."""
 
-    Attributes
-    ----------
-    nodes : numpy.ndarray, shape (nodes, 3)
-        Reference positions, mm.
-    surfaces : list of Surface
-        Surfaces of the model file, in FEBio's order.
-    domains : dict of Domain
-        By name.
-    states : list of State
-    """
-
-    nodes: Floats
-    surfaces: list[Surface]
-    domains: dict[str, Domain]
+    nodes: Array  # shape (nodes, 3): reference positions, mm
+    surfaces: list[Surface]  # surfaces of the model file, in FEBio's order
+    domains: dict[str, Domain]  # by name
     states: list[State]
 
-    def positions(self, state: State) -> Floats:
+    def positions(self, state: State) -> Array:
         """Deformed positions [mm], shape (nodes, 3); reference positions where the file has no displacement."""
         moved = state.nodal.get("displacement")
         return self.nodes if moved is None else self.nodes + moved
@@ -119,13 +88,11 @@ class _Memory:
 def read(path: Path) -> PlotFile:
     """Read a plot file.
 
-    Raises
-    ------
-    DataFileError
-        No plot file of FEBio, a compressed one, one without results, or one that pyfebio cannot read.
+    Raises DataFileError: no plot file of FEBio, a compressed one, one without results, or one that pyfebio cannot read.
     """
     memory = _parsed(path)
-    nodes = _coordinates(memory)
+    table = memory.data["meshes/0/nodes"]
+    nodes = np.column_stack([table[axis] for axis in "xyz"]).astype(float)
     surfaces = [Surface.from_faces(name, faces) for name, faces in memory.under(_SURFACES).items()]
     domains = {
         name: Domain(int(memory[_DOMAINS + name].attrs["etype"][0]), elements[:, 1:].astype(np.int64))
@@ -208,11 +175,6 @@ def _parse_blocks(buffer: bytes, memory: Any) -> None:
             states += 1
 
 
-def _coordinates(memory: _Memory) -> Floats:
-    table = memory.data["meshes/0/nodes"]
-    return np.column_stack([table[axis] for axis in "xyz"]).astype(float)
-
-
 def _state(memory: _Memory, number: int, nodes: int, surfaces: list[Surface], domains: dict[str, Domain]) -> State:
     here = f"states/{number}/"
     nodal = {path.split("/")[0]: values.astype(float) for path, values in memory.under(here + "node_data/").items()}
@@ -224,19 +186,14 @@ def _state(memory: _Memory, number: int, nodes: int, surfaces: list[Surface], do
     )
 
 
-def _surface_values(data: dict[str, NDArray[Any]], surfaces: list[Surface]) -> dict[str, list[Floats | None]]:
+def _surface_values(data: dict[str, NDArray[Any]], surfaces: list[Surface]) -> dict[str, list[Array | None]]:
+    floats = {path: values.astype(float) for path, values in data.items()}
     variables = dict.fromkeys(path.split("/", 1)[0] for path in data)
-    return {
-        variable: [_as_floats(data.get(f"{variable}/{surface.name}")) for surface in surfaces] for variable in variables
-    }
+    return {name: [floats.get(f"{name}/{surface.name}") for surface in surfaces] for name in variables}
 
 
-def _as_floats(values: NDArray[Any] | None) -> Floats | None:
-    return None if values is None else values.astype(float)
-
-
-def _domain_values(data: dict[str, NDArray[Any]], domains: dict[str, Domain], nodes: int) -> dict[str, Floats]:
-    found: dict[str, Floats] = {}
+def _domain_values(data: dict[str, NDArray[Any]], domains: dict[str, Domain], nodes: int) -> dict[str, Array]:
+    found: dict[str, Array] = {}
     for path, each in data.items():
         variable, domain = path.split("/", 1)
         members = in_order_of_appearance(domains[domain].elements.ravel())

@@ -8,8 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from harness.arrays import Array, Ids
 
 _FAN_OF_TRI7 = ((0, 3, 6), (3, 1, 6), (1, 4, 6), (4, 2, 6), (2, 5, 6), (5, 0, 6))
 _FAN_OF_QUAD9 = ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7, 8), (7, 0, 8))
@@ -24,7 +23,7 @@ TRIANGLES: dict[int, tuple[tuple[int, int, int], ...]] = {
 """Triangles that a facet with so many nodes is drawn and summed by, as places in its list of nodes."""
 
 
-def in_order_of_appearance(nodes: Integers) -> Integers:
+def in_order_of_appearance(nodes: Ids) -> Ids:
     """Return each node once, in the order in which FEBio numbers the nodes of a surface or a domain."""
     _, first = np.unique(nodes, return_index=True)
     return nodes[np.sort(first)]
@@ -32,17 +31,10 @@ def in_order_of_appearance(nodes: Integers) -> Integers:
 
 @dataclass(frozen=True)
 class Surface:
-    """Facets with a name.
-
-    Attributes
-    ----------
-    name : str
-    facets : tuple of numpy.ndarray
-        Per facet its nodes, counted from 0 in the mesh.
-    """
+    """Facets with a name."""
 
     name: str
-    facets: tuple[Integers, ...]
+    facets: tuple[Ids, ...]  # per facet its nodes, counted from 0 in the mesh
 
     @classmethod
     def from_faces(cls, name: str, faces: NDArray[np.int32]) -> Surface:
@@ -50,12 +42,12 @@ class Surface:
         return cls(name, tuple(row[2 : 2 + row[1]].astype(np.int64) for row in faces))
 
     @cached_property
-    def nodes(self) -> Integers:
+    def nodes(self) -> Ids:
         """Nodes of the surface in FEBio's order."""
         return in_order_of_appearance(np.concatenate(self.facets))
 
     @cached_property
-    def _split(self) -> tuple[Integers, Integers]:
+    def _split(self) -> tuple[Ids, Ids]:
         """Triangles, shape (triangles, 3), and the facet of each."""
         corners, owners = [], []
         for number, facet in enumerate(self.facets):
@@ -65,16 +57,16 @@ class Surface:
         return np.array(corners), np.array(owners)
 
     @property
-    def triangles(self) -> Integers:
+    def triangles(self) -> Ids:
         """Nodes of the triangles, shape (triangles, 3)."""
         return self._split[0]
 
     @property
-    def facet_of_triangle(self) -> Integers:
+    def facet_of_triangle(self) -> Ids:
         """The facet that each triangle is part of."""
         return self._split[1]
 
-    def area_vectors(self, positions: Floats) -> Floats:
+    def area_vectors(self, positions: Array) -> Array:
         """Area times outward unit normal per facet [mm^2], shape (facets, 3), at nodes' positions [mm]."""
         corner = positions[self.triangles]
         vectors = 0.5 * np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
@@ -82,13 +74,10 @@ class Surface:
         np.add.at(sums, self.facet_of_triangle, vectors)
         return sums
 
-    def at_facets(self, values: Floats) -> Floats:
+    def at_facets(self, values: Array) -> Array:
         """Values per facet, shape (facets, components), of values at facets, at their corners, at nodes or of all.
 
-        Raises
-        ------
-        ValueError
-            Where the number of rows is none of these.
+        Raises ValueError where the number of rows is none of these.
         """
         counts = np.array([len(facet) for facet in self.facets])
         if len(values) == len(counts):
@@ -102,7 +91,3 @@ class Surface:
         if len(values) == 1:
             return np.repeat(values, len(counts), axis=0)
         raise ValueError(f"{len(values)} values on {len(counts)} facets with {len(self.nodes)} nodes")
-
-    def mean_of_nodes(self, values: Floats) -> Floats:
-        """Means over the nodes of each facet, shape (facets, components), of values at all nodes of the mesh."""
-        return np.array([values[facet].mean(axis=0) for facet in self.facets])

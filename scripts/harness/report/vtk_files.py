@@ -1,14 +1,12 @@
 """Contact surfaces as meshes of PyVista, and as VTK files, which PyVista and ParaView read."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 import pyvista
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.report.history import Contact
 from harness.report.plot_file import PlotFile
 from harness.report.surface import Surface
@@ -20,24 +18,14 @@ def file_name(index: int, contact: Contact) -> str:
     return f"{index + 1}-{name[:40]}"
 
 
-def mesh_of(surface: Surface, positions: NDArray[np.float64]) -> pyvista.PolyData:
+def mesh_of(surface: Surface, positions: Array) -> pyvista.PolyData:
     """The triangles of a surface, shape (triangles, 3), at the positions [mm] of all nodes."""
     sides = np.full((len(surface.triangles), 1), 3)
     return pyvista.PolyData(positions, np.hstack([sides, surface.triangles])).clean()
 
 
 def write_surfaces(plot: PlotFile, contacts: Sequence[Contact], number: int, folder: Path) -> list[Path]:
-    """Write one file per surface, deformed, with the variables that the plot file has on it as means of facets.
-
-    Parameters
-    ----------
-    plot : PlotFile
-    contacts : sequence of Contact
-        Surfaces to write.
-    number : int
-        The state, from 0.
-    folder : Path
-    """
+    """Write one file per surface at a state, deformed, with the variables of the plot file on it as means of facets."""
     state, files = plot.states[number], []
     for index, contact in enumerate(contacts):
         surface = contact.surface

@@ -1,7 +1,5 @@
 """Finds febio4 and runs it, with the plugin where a model needs it."""
 
-from __future__ import annotations
-
 import math
 import os
 import re
@@ -19,8 +17,7 @@ from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoun
 from harness.paths import PLUGIN_NAME, PLUGIN_VARIABLE, is_checkout, plugin_library
 from harness.run import febio_log
 
-Progress = Callable[[float], None]
-"""Called with the time (s) that a run has reached."""
+Progress = Callable[[float], None]  # called with the time (s) that a run has reached
 _THREADS = "OMP_NUM_THREADS"
 _PEAK = re.compile(r"^VmHWM:\s+(\d+) kB$", re.MULTILINE)
 _FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
@@ -28,20 +25,14 @@ _FEBIO = "febio4.exe" if sys.platform == "win32" else "febio4"
 
 @dataclass(frozen=True)
 class Run:
-    """A finished run: where its files are, what febio4 said, how long it took, its processor time (both s), and memory.
-
-    Attributes
-    ----------
-    memory : float
-        The largest it had, MB; NaN where the system does not say.
-    """
+    """A finished run: where its files are, what febio4 said, wall and processor time (both s), and memory."""
 
     folder: Path
     report: febio_log.Report
     output: str
     wall: float
     cpu: float
-    memory: float = math.nan
+    memory: float = math.nan  # the largest it had, MB; NaN where the system does not say
 
 
 class Host(Protocol):
@@ -62,32 +53,20 @@ class Febio4:
     name = "febio4"
 
     def binaries(self, plugin: bool) -> tuple[Path, ...]:
-        """febio4, and the plugin library if a model needs it."""
         return (find_engine(), required_plugin()) if plugin else (find_engine(),)
 
     def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:
-        """As `command`, with the library of the build."""
         return command(model, required_plugin() if plugin else None, options)
 
 
-USUAL_ROOTS = (
-    "~/febio4",
-    "/usr/local/febio4",
-    "/opt/febio4",
-    "~/FEBioStudio",
-    "~/FEBioStudio2",
-    "/opt/FEBioStudio",
-)
+USUAL_ROOTS = ("~/febio4", "/usr/local/febio4", "/opt/febio4", "~/FEBioStudio", "~/FEBioStudio2", "/opt/FEBioStudio")
 """Folders of FEBio, as in cmake/FindFEBio.cmake."""
 
 
 def find_engine() -> Path:
     """The febio4 executable: under ``$FEBIO_ROOT``, else in the folders that the build searches, else on the PATH.
 
-    Raises
-    ------
-    EngineNotFoundError
-        Where there is none, saying where it was looked for.
+    Raises EngineNotFoundError where there is none, saying where it was looked for.
     """
     given = os.environ.get("FEBIO_ROOT")
     roots = [Path(given)] if given else [Path(root).expanduser() for root in USUAL_ROOTS]
@@ -108,10 +87,7 @@ def find_engine() -> Path:
 def required_plugin() -> Path:
     """The plugin library: that of `plugin_library`; outside a checkout else one beside febio4 or in ../lib from it.
 
-    Raises
-    ------
-    PluginNotFoundError
-        Where it has not been built, or where an installed command finds none.
+    Raises PluginNotFoundError where it has not been built, or where an installed command finds none.
     """
     library = plugin_library()
     if is_checkout() or os.environ.get(PLUGIN_VARIABLE):
@@ -135,19 +111,10 @@ def _plugin_beside(febio: Path) -> Path:
 def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()) -> list[str]:
     """The command line that runs a model file from its own folder.
 
-    Parameters
-    ----------
-    model : Path
-        The .feb file; FEBio's output is written next to it.
-    plugin : Path, optional
-        Library to load with ``-import``.
-    options : sequence of str
-        Further arguments of febio4, such as ``-dump``.
-
-    Raises
-    ------
-    EngineNotFoundError
-        No febio4.
+    model: the .feb file; FEBio's output is written next to it.
+    plugin: library to load with ``-import``.
+    options: further arguments of febio4, such as ``-dump``.
+    Raises EngineNotFoundError without febio4.
     """
     load = [] if plugin is None else ["-import", str(plugin)]
     return [str(find_engine()), "-i", model.name, *options, *load]
@@ -156,10 +123,7 @@ def command(model: Path, plugin: Path | None = None, options: Sequence[str] = ()
 def limited(command: Sequence[str], seconds: float | None) -> list[str]:
     """The same command line, ended by the system after so much processor time, which other work does not change.
 
-    Raises
-    ------
-    EngineFailedError
-        Where the system has no ``prlimit`` for it.
+    Raises EngineFailedError where the system has no ``prlimit`` for it.
     """
     if seconds is None:
         return list(command)
@@ -181,19 +145,10 @@ def execute(
 ) -> Run:
     """Run a febio4 command line in `folder` with one thread unless ``OMP_NUM_THREADS`` says otherwise.
 
-    Parameters
-    ----------
-    progress : callable, optional
-        Called with each time reached, s.
-    check : bool
-        Whether a run that does not end normally is an error.
-    timeout : float, optional
-        s after which the run is ended, and then did not end normally.
-
-    Raises
-    ------
-    EngineFailedError
-        With `check`, where febio4 did not end normally; quotes FEBio's own words.
+    progress: called with each time reached, s.
+    check: whether a run that does not end normally is an error.
+    timeout: s after which the run is ended, and then did not end normally.
+    Raises EngineFailedError, with `check`, where febio4 did not end normally; quotes FEBio's own words.
     """
     environment = {_THREADS: "1", **os.environ}
     start = time.perf_counter()
@@ -259,15 +214,11 @@ def _peak_memory(process: subprocess.Popen[str], before: float) -> float:
 
 def _complaint(command: Sequence[str], finished: Run, code: int) -> str:
     report = finished.report
-    said = "; ".join(report.errors) or _last_words(finished.output)
+    last = [line.strip() for line in finished.output.splitlines() if re.search(r"\w", line)][-5:]
+    said = "; ".join(report.errors) or " | ".join(last)
     name = Path(command[0]).name
     who = name if name == "mixture-contact" else "FEBio"
     return (
         f"{name} did not end normally (exit code {code}, {report.steps} time steps done).\n"
         f"{who} says: {said}\nCommand: {' '.join(command)}\nFolder: {finished.folder}"
     )
-
-
-def _last_words(output: str) -> str:
-    said = [line.strip() for line in output.splitlines() if re.search(r"\w", line)]
-    return " | ".join(said[-5:])

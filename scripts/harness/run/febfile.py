@@ -1,48 +1,32 @@
 """Looks into a .feb file that somebody wants to run, and says clearly what is wrong with it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 
 from harness.errors import ModelError
-from harness.preflight.formats import newest
-from harness.preflight.xml_file import Document, Element, number, place
+from harness.preflight.formats import read_newest
+from harness.preflight.xml_file import Element, number, place
 
 
 @dataclass(frozen=True)
 class FebFile:
-    """What the harness needs to know of a model file.
-
-    Attributes
-    ----------
-    path : Path
-    module : str
-        FEBio's module.
-    contacts : tuple of str
-        Types of the contact interfaces.
-    end : float
-        Time at which the last analysis step ends, s; 0 where the file does not say.
-    """
+    """What the harness needs to know of a model file."""
 
     path: Path
-    module: str
-    contacts: tuple[str, ...]
-    end: float
+    module: str  # FEBio's module
+    contacts: tuple[str, ...]  # types of the contact interfaces
+    end: float  # time at which the last analysis step ends, s; 0 where the file does not say
 
 
 def inspect(path: Path) -> FebFile:
     """Read a model file and what it includes.
 
-    Raises
-    ------
-    ModelError
-        No such file, no XML, no FEBio model, or a contact without a type or with a surface pair that does not exist;
-        names the file, the line, the tag and what is allowed.
+    Raises ModelError: no such file, no XML, no FEBio model, or a contact without a type or with a surface pair that
+    does not exist; names the file, the line, the tag and what is allowed.
     """
     if path.suffix != ".feb":
         raise ModelError(f"{path}: a model file ends in .feb")
-    document = newest.read(path)
+    document = read_newest(path)
     pairs = [pair.get("name", "") for pair in document.all("Mesh", "SurfacePair")]
     contacts = [contact for _, contact in document.everywhere("Contact", "contact")]
     for contact in contacts:
@@ -50,7 +34,8 @@ def inspect(path: Path) -> FebFile:
     module = next(document.all("Module"), None)
     if module is None or not module.get("type"):
         raise ModelError(f'{path}: <febio_spec> has no <Module type="...">, which FEBio needs first')
-    return FebFile(path, str(module.get("type")), tuple(str(c.get("type")) for c in contacts), _end(document))
+    end = sum(_number(each, "time_steps") * _number(each, "step_size") for each in document.each("Control"))
+    return FebFile(path, str(module.get("type")), tuple(str(c.get("type")) for c in contacts), end)
 
 
 def _check_contact(contact: Element, pairs: list[str]) -> None:
@@ -60,10 +45,6 @@ def _check_contact(contact: Element, pairs: list[str]) -> None:
     if pair not in pairs and contact.get("surface") is None:  # which a rigid wall has
         known = ", ".join(pairs) or "none: add a <SurfacePair> to <Mesh>"
         raise ModelError(f"{place(contact)} has surface_pair='{pair}', which does not exist; there is {known}")
-
-
-def _end(document: Document) -> float:
-    return sum(_number(each, "time_steps") * _number(each, "step_size") for each in document.each("Control"))
 
 
 def _number(control: Element, tag: str) -> float:

@@ -1,7 +1,5 @@
 """Reads what febio4 prints: how far it came, how hard that was, and what it complained about."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -16,59 +14,42 @@ _COUNTS = {
     "residuals": re.compile(r"Total number of right hand evaluations [ .]*: (\d+)"),
     "reformations": re.compile(r"Total number of stiffness reformations [ .]*: (\d+)"),
 }
+_FATAL = re.compile(r"FATAL ERROR:?\s*(.+)")
 _BOX = re.compile(r"^\s\*+\n((?:\s\*.*\*\n)+?)\s\*+$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
 class Report:
-    """The outcome of one run.
+    """The outcome of one run."""
 
-    Attributes
-    ----------
-    normal : bool
-        Whether febio4 wrote "N O R M A L   T E R M I N A T I O N".
-    steps, iterations, residuals, reformations : int
-        Completed time steps, Newton iterations, residual evaluations and matrix reformations over the whole run,
-        those of failed attempts included.
-    retries, augmentations : int
-        Time steps tried again, and augmentations done.
-    errors : tuple of str
-        FEBio's error texts.
-    warnings : tuple of str
-        FEBio's warnings, each once.
-    """
-
-    normal: bool
+    normal: bool  # whether febio4 wrote "N O R M A L   T E R M I N A T I O N"
+    # Completed time steps, Newton iterations, residual evaluations and matrix reformations over the whole run, those of
+    # failed attempts included.
     steps: int
     iterations: int
     residuals: int
     reformations: int
+    # Time steps tried again, and augmentations done.
     retries: int
     augmentations: int
-    errors: tuple[str, ...] = ()
-    warnings: tuple[str, ...] = ()
+    errors: tuple[str, ...] = ()  # FEBio's error texts
+    warnings: tuple[str, ...] = ()  # FEBio's warnings, each once
 
 
 def parse(text: str) -> Report:
     """Read the log, or the screen output, of a run.
 
-    Parameters
-    ----------
-    text : str
-        The whole text.
-
-    Returns
-    -------
-    Report
-        Where there is no summary (a run that was killed, a model that was never read) the counts are those that
-        can be counted, or 0.
+    Without a summary (a run that was killed, a model that was never read), the counts are those of what is there, or 0.
     """
     boxes = _boxes(text)
     return Report(
         normal="N O R M A L   T E R M I N A T I O N" in text,
         retries=len(_RETRY.findall(text)),
         augmentations=len(_AUGMENTATION.findall(text)),
-        errors=(*_unique(body for title, body in boxes if title == "ERROR"), *_fatal(text)),
+        errors=(
+            *_unique(body for title, body in boxes if title == "ERROR"),
+            *_unique(map(str.strip, _FATAL.findall(text))),
+        ),
         warnings=_unique(body for title, body in boxes if title == "WARNING"),
         **_counts(text),
     )
@@ -93,10 +74,6 @@ def _boxes(text: str) -> list[tuple[str, str]]:
         if said:
             found.append((said[0], " ".join(said[1:])))
     return found
-
-
-def _fatal(text: str) -> tuple[str, ...]:
-    return _unique(match.strip() for match in re.findall(r"FATAL ERROR:?\s*(.+)", text))
 
 
 def _unique(texts: Iterable[str]) -> tuple[str, ...]:

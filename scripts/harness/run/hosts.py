@@ -1,13 +1,45 @@
-"""Which engine runs the models: febio4 with the plugin, the embedded one, or both."""
+"""The embedded engine, and which engine runs the models: febio4 with the plugin, the embedded one, or both."""
 
-from __future__ import annotations
-
+import os
+from collections.abc import Sequence
 from enum import Enum
+from pathlib import Path
 
-from harness.errors import EngineNotFoundError, PluginNotFoundError
+from harness.errors import EngineFailedError, EngineNotFoundError, PluginNotFoundError
 from harness.models.interface import InterfaceType
+from harness.paths import REPOSITORY
 from harness.run import engine
-from harness.run.standalone import Standalone
+
+EXECUTABLE_VARIABLE = "MIXTURE_CONTACT_STANDALONE"
+"""Environment variable that names another executable than the one of the build."""
+
+
+def find_standalone() -> Path:
+    """The executable: ``$MIXTURE_CONTACT_STANDALONE`` if set, else the one that a build leaves in build/bin.
+
+    Raises EngineNotFoundError where there is none.
+    """
+    chosen = os.environ.get(EXECUTABLE_VARIABLE)
+    executable = Path(chosen) if chosen else REPOSITORY / "build" / "bin" / "mixture-contact"
+    if not (executable.is_file() and os.access(executable, os.X_OK)):
+        raise EngineNotFoundError(f"the embedded engine {executable} does not exist; build it first.")
+    return executable.resolve()
+
+
+class Standalone:
+    """Runs models with the embedded engine."""
+
+    name = "standalone"
+
+    def binaries(self, plugin: bool) -> tuple[Path, ...]:  # noqa: ARG002 - the contact is built in
+        return (find_standalone(),)
+
+    def command(self, model: Path, plugin: bool, options: Sequence[str] = ()) -> list[str]:  # noqa: ARG002
+        """As `Host.command`. Raises EngineFailedError where there are options: those of febio4 mean nothing here."""
+        if options:
+            raise EngineFailedError(f"the embedded engine does not know the options {' '.join(options)} of febio4")
+        return [str(find_standalone()), model.name]
+
 
 FEBIO4: engine.Host = engine.Febio4()
 STANDALONE: engine.Host = Standalone()
@@ -23,19 +55,10 @@ class Engine(str, Enum):
 
 def engines(chosen: Engine | None, interface: InterfaceType) -> tuple[engine.Host, ...]:
     """The engines that run models with this interface; without a choice febio4, or the embedded one if it cannot."""
-    if chosen is Engine.BOTH:
-        return (FEBIO4, STANDALONE)
-    if chosen is Engine.FEBIO4:
-        return (FEBIO4,)
-    if chosen is Engine.STANDALONE:
-        return (STANDALONE,)
-    if (
-        interface in (InterfaceType.MIXTURE, InterfaceType.CONFORMING)
-        and why_not_febio(interface)
-        and _is_there(STANDALONE)
-    ):
-        return (STANDALONE,)
-    return (FEBIO4,)
+    if chosen is not None:
+        return {Engine.FEBIO4: (FEBIO4,), Engine.STANDALONE: (STANDALONE,), Engine.BOTH: (FEBIO4, STANDALONE)}[chosen]
+    able = interface in (InterfaceType.MIXTURE, InterfaceType.CONFORMING)
+    return (STANDALONE,) if able and why_not_febio(interface) and _is_there(STANDALONE) else (FEBIO4,)
 
 
 def why_not_febio(interface: InterfaceType) -> str:

@@ -1,39 +1,24 @@
 """Reads the node and element data that febio4 writes beside its log."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Ids
 from harness.errors import DataFileError
 
 
 @dataclass(frozen=True)
 class History:
-    """Node or element data over time.
+    """Node or element data over time."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (n_times,)
-        s; the first is the initial state where febio4 wrote it.
-    items : ndarray of int, shape (n_items,)
-        Node or element numbers, from 1.
-    columns : tuple of str
-        Names of the data.
-    values : ndarray, shape (n_times, n_items, n_columns)
-        12 significant digits, as febio4 writes them.
-    """
-
-    times: Array
-    items: NDArray[np.int64]
-    columns: tuple[str, ...]
-    values: Array
+    times: Array  # shape (n_times,): s; the first is the initial state where febio4 wrote it
+    items: Ids  # shape (n_items,): node or element numbers, from 1
+    columns: tuple[str, ...]  # names of the data
+    values: Array  # shape (n_times, n_items, n_columns): 12 significant digits, as febio4 writes them
 
     def __getitem__(self, column: str) -> Array:
         """The values of one column, shape (n_times, n_items)."""
@@ -52,10 +37,7 @@ class History:
     def at(self, time: float) -> int:
         """Index of the state at `time` (s).
 
-        Raises
-        ------
-        DataFileError
-            Where no state lies within 1e-6 of it, relative to the last time.
+        Raises DataFileError where no state lies within 1e-6 of it, relative to the last time.
         """
         index = int(np.argmin(np.abs(self.times - time)))
         if abs(self.times[index] - time) > self._resolution:
@@ -63,7 +45,7 @@ class History:
         return index
 
 
-def at_the_end(history: History, columns: Iterable[str]) -> NDArray[np.float64]:
+def at_the_end(history: History, columns: Iterable[str]) -> Array:
     """The last values of some columns, shape (nodes or elements, columns)."""
     return np.stack([history[column][-1] for column in columns], axis=-1)
 
@@ -71,17 +53,9 @@ def at_the_end(history: History, columns: Iterable[str]) -> NDArray[np.float64]:
 def read_history(path: Path, columns: tuple[str, ...]) -> History:
     """Read a data file.
 
-    Parameters
-    ----------
-    path : Path
-        File named by a ``<node_data>`` or ``<element_data>`` line without ``format``.
-    columns : tuple of str
-        Names of its columns, the number of the node or element left out.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, a file without data, or one whose blocks differ in size; names file and line.
+    path: file named by a ``<node_data>`` or ``<element_data>`` line without ``format``.
+    columns: names of its columns, the number of the node or element left out.
+    Raises DataFileError: a missing file, a file without data, or one whose blocks differ in size; names file and line.
     """
     try:
         return _read(path, columns, path.stat().st_mtime_ns)

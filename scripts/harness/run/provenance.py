@@ -1,7 +1,5 @@
 """Which versions a number comes from."""
 
-from __future__ import annotations
-
 import importlib.metadata
 import re
 
@@ -15,10 +13,7 @@ _FEBIO = re.compile(r"^\s*version (\d+\.\d+\.\d+)\s*$", re.MULTILINE)
 def plugin_version() -> str:
     """Version of the plugin, from CMakeLists.txt; of an installed harness its own, which was read there.
 
-    Raises
-    ------
-    DataFileError
-        Where it does not stand there.
+    Raises DataFileError where it does not stand there.
     """
     if not is_checkout():
         return importlib.metadata.version("febio-mixture-contact")

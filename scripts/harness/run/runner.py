@@ -4,8 +4,6 @@ Written here and not taken from joblib or diskcache, because those keep values o
 the folder that an engine wrote into; and a second process that wants the same run has to wait for it.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import math
@@ -23,37 +21,20 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType
 from harness.run import engine, febio_log, logdata
 
-Announce = Callable[[str, float], None]
-"""Called with the name of a model and the fraction of its time that is done."""
+Announce = Callable[[str, float], None]  # called with the name of a model and the fraction of its time that is done
 
 
 @dataclass(frozen=True)
 class RunResult:
-    """A model and what came of it.
-
-    Attributes
-    ----------
-    model : Model
-    folder : Path
-        Where its files are.
-    report : febio_log.Report
-    wall : float
-        s, of the run itself.
-    cpu : float
-        Its processor time, s.
-    limit : float, optional
-        s of processor time after which it was to be ended.
-    memory : float
-        The largest it had, MB; NaN where it is not known.
-    """
+    """A model and what came of it."""
 
     model: Model
-    folder: Path
+    folder: Path  # where its files are
     report: febio_log.Report
-    wall: float
-    cpu: float
-    limit: float | None = None
-    memory: float = math.nan
+    wall: float  # s, of the run itself
+    cpu: float  # its processor time, s
+    limit: float | None = None  # s of processor time after which it was to be ended
+    memory: float = math.nan  # the largest it had, MB; NaN where it is not known
 
     @property
     def nodes(self) -> logdata.History:
@@ -85,43 +66,21 @@ class RunResult:
 
 @dataclass
 class Runner:
-    """Runs models in folders below `root` and keeps what they wrote; safe for several processes at a time.
-
-    Attributes
-    ----------
-    root : Path
-    announce : callable, optional
-        Told of progress.
-    timeout : float, optional
-        s after which a run is ended.
-    processor_limit : float, optional
-        s of processor time after which a run is ended.
-    host : engine.Host
-        What runs them; febio4 without it.
-    """
+    """Runs models in folders below `root` and keeps what they wrote; safe for several processes at a time."""
 
     root: Path
-    announce: Announce | None = None
-    timeout: float | None = None
-    processor_limit: float | None = None
-    host: engine.Host = field(default_factory=engine.Febio4)
+    announce: Announce | None = None  # told of progress
+    timeout: float | None = None  # s after which a run is ended
+    processor_limit: float | None = None  # s of processor time after which a run is ended
+    host: engine.Host = field(default_factory=engine.Febio4)  # what runs them; febio4 without it
     _known: dict[str, RunResult] = field(default_factory=dict)
 
     def __call__(self, model: Model, *, options: Sequence[str] = (), check: bool = True) -> RunResult:
         """Run a model, or read back what an earlier run left.
 
-        Parameters
-        ----------
-        model : Model
-        options : sequence of str
-            Further arguments of febio4.
-        check : bool
-            Whether a run that does not end normally is an error.
-
-        Raises
-        ------
-        EngineNotFoundError, PluginNotFoundError, EngineFailedError
-            See `harness.run.engine`.
+        options: further arguments of febio4.
+        check: whether a run that does not end normally is an error.
+        Raises EngineNotFoundError, PluginNotFoundError, EngineFailedError: see `harness.run.engine`.
         """
         key = _key(model, self.host.binaries(needs_plugin(model)), options)
         if key not in self._known:

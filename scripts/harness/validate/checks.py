@@ -3,15 +3,13 @@
 The tolerances marked "paper" in the notes are those of problems 3.1 and 3.2 of Ateshian, Maas and Weiss (2012).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.closed_forms import (
     composite_slab,
     confined_compression,
@@ -32,8 +30,7 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 
 PAIR = "lower/upper"
-SPLIT_BAR = 1e-6
-"""Largest difference of a split body from its reference, relative to the largest value of the variable."""
+SPLIT_BAR = 1e-6  # largest difference of a split body from its reference, relative to the largest value of the variable
 
 
 @dataclass(frozen=True)
@@ -91,7 +88,7 @@ def diffusion_against_closed_form(context: Context) -> list[Measure]:
     return measures
 
 
-def exact_diffusion(run: RunResult, time: float) -> NDArray[np.float64]:
+def exact_diffusion(run: RunResult, time: float) -> Array:
     """Closed form of 3.1 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return diffusion.AMBIENT * transient_diffusion.concentration(
@@ -114,7 +111,7 @@ def convection_against_closed_form(
     return measures
 
 
-def exact_convection(run: RunResult, peclet: float) -> NDArray[np.float64]:
+def exact_convection(run: RunResult, peclet: float) -> Array:
     """Closed form of 3.2 at the nodes of a run."""
     z = run.model.mesh.nodes[:, 2]
     return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
@@ -186,16 +183,13 @@ def composite_layers(context: Context) -> list[Measure]:
 def convection_layers(context: Context) -> list[Measure]:
     """Steady convection through two layers, with a jump of c, agrees with the reference and the closed form."""
     runs = against_conforming(context, layers.Layers(context.interface))
-    error = compare.error_at(runs[0], "c1", exact_layers(runs[0]))
+    z = runs[0].model.mesh.nodes[:, 2]
+    exact = two_layer_convection.concentration(z, layers.FIRST, layers.SECOND, layers.GIVEN)
+    error = compare.error_at(runs[0], "c1", exact)
     return [
         Measure("Two-layer convection, split against conforming", compare.largest_difference(*runs, "c1"), SPLIT_BAR),
         Measure("Two-layer convection, error against the closed form", error, 2e-4, note="conforming: 2e-5"),
     ]
-
-
-def exact_layers(run: RunResult) -> NDArray[np.float64]:
-    """Closed form of the two-layer convection problem at the nodes of a run."""
-    return two_layer_convection.concentration(run.model.mesh.nodes[:, 2], layers.FIRST, layers.SECOND, layers.GIVEN)
 
 
 def confined_creep(context: Context) -> list[Measure]:
@@ -255,7 +249,7 @@ def _order(runs: Sequence[RunResult]) -> float:
     return compare.observed_order(coarse, fine)
 
 
-def _both_sides(run: RunResult, z: NDArray[np.float64]) -> NDArray[np.float64]:
+def _both_sides(run: RunResult, z: Array) -> Array:
     """Final c at the heights `z`, of the nodes of a split column, part by part so that both faces are kept."""
     mesh, final = run.model.mesh, run.nodes["c1"][-1]
     values = []

@@ -1,7 +1,5 @@
 """The commands `validate` and `plot`."""
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Iterator
@@ -19,13 +17,12 @@ from harness import choice
 from harness.models.interface import InterfaceType
 from harness.paths import RESULTS
 from harness.post.compare import Measure
-from harness.run import engine, hosts
+from harness.run import hosts
 from harness.run.runner import Announce, Runner
 from harness.validate import figures, results, validation
 from harness.validate.checks import CHECKS, Check, Context
 
-MISSED, LEFT_OUT = 1, 3
-"""Exit codes: a tolerance was missed; none was missed, but checks were left out."""
+MISSED, LEFT_OUT = 1, 3  # exit codes: a tolerance was missed; none was missed, but checks were left out
 console = Console(highlight=False, width=None if sys.stdout.isatty() else 132)
 
 
@@ -55,7 +52,7 @@ def validate(
         console.print(f"[yellow]The embedded engine runs the models:[/] {escape(hosts.why_not_febio(interface))}")
     found = {}
     for host in engines:
-        own = _folder(folder, host)
+        own = folder / host.name if host is hosts.STANDALONE else folder
         with _progress(checks) as (announce, finished):
             context = Context(Runner(own / "runs", announce, host=host), interface)
             found[host.name] = validation.validate(context, checks, jobs=jobs, finished=finished)
@@ -63,10 +60,6 @@ def validate(
         console.print("Written: " + ", ".join(str(path) for path in written))
     console.print(_table(found))
     _conclude(list(found.values()))
-
-
-def _folder(folder: Path, host: engine.Host) -> Path:
-    return folder / host.name if host is hosts.STANDALONE else folder
 
 
 @contextmanager

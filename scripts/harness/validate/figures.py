@@ -1,15 +1,14 @@
 """Draws figures 3.2 and 3.3 of Ateshian, Maas and Weiss (2012): simulation over closed form."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from harness.arrays import Array
 from harness.closed_forms import steady_convection, transient_diffusion
 from harness.models import convection, diffusion
 from harness.run.runner import RunResult
@@ -18,11 +17,9 @@ from harness.validate.results import Profile
 
 DIFFUSION = "figure-3.2"
 CONVECTION = "figure-3.3"
-TIMES = (100.0, 400.0, 1000.0, 2000.0, 4000.0, 8000.0)
-"""Times of the curves of figure 3.2, s."""
+TIMES = (100.0, 400.0, 1000.0, 2000.0, 4000.0, 8000.0)  # times of the curves of figure 3.2, s
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8", "#c77d0a", "#4a4e52")
-MARKS = ("o", "s", "^", "D", "v", "X")
-"""One for each curve, so that grey tells them apart."""
+MARKS = ("o", "s", "^", "D", "v", "X")  # one for each curve, so that grey tells them apart
 
 
 def diffusion_profiles(context: Context) -> list[Profile]:
@@ -41,7 +38,7 @@ def convection_profiles(context: Context) -> list[Profile]:
     return found
 
 
-def _profile(figure: str, parameter: float, run: RunResult, c: NDArray[np.float64]) -> Profile:
+def _profile(figure: str, parameter: float, run: RunResult, c: Array) -> Profile:
     """The nodes of the edge x = y = 0, from below to above."""
     position = run.model.mesh.nodes
     edge = np.flatnonzero((position[:, 0] == 0.0) & (position[:, 1] == 0.0))
@@ -50,42 +47,49 @@ def _profile(figure: str, parameter: float, run: RunResult, c: NDArray[np.float6
 
 
 def draw(profiles: Sequence[Profile], folder: Path) -> list[Path]:
-    """Draw both figures; the lines stand there even where no simulation was run.
-
-    Parameters
-    ----------
-    profiles : sequence of Profile
-    folder : Path
-        Where the PNG files go; made where needed.
-
-    Returns
-    -------
-    list of Path
-    """
+    """Draw both figures into a folder, which is made where needed; the lines need no simulation."""
     folder.mkdir(parents=True, exist_ok=True)
-    return [_diffusion(_of(profiles, DIFFUSION), folder), _convection(_of(profiles, CONVECTION), folder)]
+    return [_draw(name, profiles, folder / f"{name}.png") for name in _FIGURES]
 
 
-def _of(profiles: Sequence[Profile], figure: str) -> dict[float, Profile]:
-    return {profile.parameter: profile for profile in profiles if profile.figure == figure}
+def _exact_convection(z: Array, peclet: float) -> Array:
+    return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
 
 
-def _diffusion(profiles: dict[float, Profile], folder: Path) -> Path:
-    def exact(z: NDArray[np.float64], time: float) -> NDArray[np.float64]:
-        return transient_diffusion.concentration(z, time, height=diffusion.HEIGHT, diffusivity=diffusion.DIFFUSIVITY)
+_FIGURES: Mapping[str, tuple[str, str, Sequence[float], Callable[[Array, float], Array], str]] = {
+    DIFFUSION: (
+        "Diffusion through two cubes in contact",
+        "$c/c^*$",
+        TIMES,
+        partial(transient_diffusion.concentration, height=diffusion.HEIGHT, diffusivity=diffusion.DIFFUSIVITY),
+        "{:g} s",
+    ),
+    CONVECTION: (
+        "Steady convection through two cubes in contact",
+        "$c/c_u$",
+        tuple(convection.PRESSURES),
+        _exact_convection,
+        "Pe = {:g}",
+    ),
+}
+"""Title, quantity, parameters of the curves, closed form, and a curve's label, by the name of a figure."""
 
-    figure, axes = _canvas("Diffusion through two cubes in contact", "$c/c^*$")
-    _curves(axes, TIMES, exact, profiles, lambda time: f"{time:g} s")
-    return _save(figure, axes, folder / f"{DIFFUSION}.png")
 
-
-def _convection(profiles: dict[float, Profile], folder: Path) -> Path:
-    def exact(z: NDArray[np.float64], peclet: float) -> NDArray[np.float64]:
-        return steady_convection.concentration(z, height=diffusion.HEIGHT, peclet=peclet, upstream=convection.UPSTREAM)
-
-    figure, axes = _canvas("Steady convection through two cubes in contact", "$c/c_u$")
-    _curves(axes, tuple(convection.PRESSURES), exact, profiles, lambda peclet: f"Pe = {peclet:g}")
-    return _save(figure, axes, folder / f"{CONVECTION}.png")
+def _draw(name: str, profiles: Sequence[Profile], path: Path) -> Path:
+    """Closed forms as lines, and nodal values as open marks over them."""
+    title, quantity, parameters, exact, label = _FIGURES[name]
+    known = {profile.parameter: profile for profile in profiles if profile.figure == name}
+    figure, axes = _canvas(title, quantity)
+    z = np.linspace(-1.0, 1.0, 401)
+    for parameter, colour, mark in zip(parameters, COLOURS, MARKS, strict=False):
+        axes.plot(z, exact(z, parameter), color=colour, linewidth=1.3)
+        found = known.get(float(parameter), Profile("", parameter, [], []))
+        drawn = axes.plot(found.z, found.c, mark, color=colour, markersize=4.5, label=label.format(parameter))
+        drawn[0].set(markerfacecolor="white", clip_on=False)
+    axes.plot([], [], "-", color="0.3", label="closed form")
+    figure.legend(loc="outside right upper", fontsize=8, frameon=False)
+    figure.savefig(path, dpi=160)
+    return path
 
 
 def _canvas(title: str, quantity: str) -> tuple[Figure, Axes]:
@@ -101,28 +105,3 @@ def _canvas(title: str, quantity: str) -> tuple[Figure, Axes]:
     axes.annotate("contact", (0.0, 1.0), xycoords=place, ha="center", va="bottom", fontsize=8, color="0.4")
     axes.spines[["top", "right"]].set_visible(False)
     return figure, axes
-
-
-def _curves(
-    axes: Axes,
-    parameters: Sequence[float],
-    exact: Callable[[NDArray[np.float64], float], NDArray[np.float64]],
-    profiles: dict[float, Profile],
-    label: Callable[[float], str],
-) -> None:
-    """Closed forms as lines, and nodal values as open marks over them."""
-    z = np.linspace(-1.0, 1.0, 401)
-    for parameter, colour, mark in zip(parameters, COLOURS, MARKS, strict=False):
-        axes.plot(z, exact(z, parameter), color=colour, linewidth=1.3)
-        found = profiles.get(float(parameter), Profile("", parameter, [], []))
-        drawn = axes.plot(found.z, found.c, mark, color=colour, markersize=4.5, clip_on=False, label=label(parameter))[
-            0
-        ]
-        drawn.set_markerfacecolor("white")
-
-
-def _save(figure: Figure, axes: Axes, path: Path) -> Path:
-    axes.plot([], [], "-", color="0.3", label="closed form")
-    figure.legend(loc="outside right upper", fontsize=8, frameon=False)
-    figure.savefig(path, dpi=160)
-    return path

@@ -1,7 +1,5 @@
 """The outcome of a validation as data: what is written to results/ and what pictures are drawn from."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Sequence
@@ -18,41 +16,22 @@ FILE_NAME = "validation.json"
 
 @dataclass(frozen=True)
 class Profile:
-    """A simulated curve for a figure.
+    """A simulated curve for a figure."""
 
-    Attributes
-    ----------
-    figure : str
-        Name of the figure, see `harness.validate.figures`.
-    parameter : float
-        Time (s) in figure 3.2, Peclet number in figure 3.3.
-    z, c : list of float
-        Position (mm) and concentration (mM) of each node of a line through both bodies.
-    """
-
-    figure: str
-    parameter: float
+    figure: str  # name of the figure, see `harness.validate.figures`
+    parameter: float  # time (s) in figure 3.2, Peclet number in figure 3.3
+    # Position (mm) and concentration (mM) of each node of a line through both bodies.
     z: list[float]
     c: list[float]
 
 
 @dataclass
 class Results:
-    """Everything that a validation found.
+    """Everything that a validation found."""
 
-    Attributes
-    ----------
-    interface : str
-        What joined the bodies.
-    checks : dict of str to list of Measure
-    left_out : dict of str to str
-        Checks that could not be made, and why.
-    profiles : list of Profile
-    """
-
-    interface: str
+    interface: str  # what joined the bodies
     checks: dict[str, list[Measure]] = field(default_factory=dict)
-    left_out: dict[str, str] = field(default_factory=dict)
+    left_out: dict[str, str] = field(default_factory=dict)  # checks that could not be made, and why
     profiles: list[Profile] = field(default_factory=list)
 
     @property
@@ -64,18 +43,15 @@ class Results:
         """Write ``validation.json`` into `folder` and return its path."""
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / FILE_NAME
-        path.write_text(json.dumps(_as_data(self), indent=1, allow_nan=False))
+        data = {
+            "format": FORMAT,
+            "interface": self.interface,
+            "checks": {name: measures_as_data(measures) for name, measures in self.checks.items()},
+            "left_out": self.left_out,
+            "profiles": [asdict(profile) for profile in self.profiles],
+        }
+        path.write_text(json.dumps(data, indent=1, allow_nan=False))
         return path
-
-
-def _as_data(results: Results) -> dict[str, Any]:
-    return {
-        "format": FORMAT,
-        "interface": results.interface,
-        "checks": {name: measures_as_data(measures) for name, measures in results.checks.items()},
-        "left_out": results.left_out,
-        "profiles": [asdict(profile) for profile in results.profiles],
-    }
 
 
 def measures_as_data(measures: Sequence[Measure]) -> list[dict[str, Any]]:
@@ -94,10 +70,7 @@ def measures_as_data(measures: Sequence[Measure]) -> list[dict[str, Any]]:
 def read(path: Path) -> Results:
     """Read what `Results.write` wrote.
 
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that is not such a file; names it and what is wrong.
+    Raises DataFileError: a missing file, or one that is not such a file; names it and what is wrong.
     """
     try:
         data = json.loads(path.read_text())
@@ -108,15 +81,11 @@ def read(path: Path) -> Results:
     if not isinstance(data, dict) or data.get("format") != FORMAT:
         raise DataFileError(f"{path}: 'format' must be {FORMAT}; write it again with `validate`")
     try:
-        return _from_data(data)
+        checks = {name: measures_from_data(entries) for name, entries in data["checks"].items()}
+        profiles = [Profile(**entry) for entry in data["profiles"]]
+        return Results(data["interface"], checks, dict(data["left_out"]), profiles)
     except (KeyError, TypeError, AttributeError) as error:
         raise DataFileError(f"{path}: an entry is missing or unknown ({error}); `validate` writes it again") from error
-
-
-def _from_data(data: dict[str, Any]) -> Results:
-    checks = {name: measures_from_data(entries) for name, entries in data["checks"].items()}
-    profiles = [Profile(**entry) for entry in data["profiles"]]
-    return Results(data["interface"], checks, dict(data["left_out"]), profiles)
 
 
 def measures_from_data(entries: Sequence[dict[str, Any]]) -> list[Measure]:

@@ -1,7 +1,5 @@
 """The main job: make every check, keep what was found, leave out what cannot be done and say why."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -13,7 +11,7 @@ from harness.indentation import histories
 from harness.post.compare import Measure
 from harness.validate import figures
 from harness.validate.checks import Check, Context, indentation_pair
-from harness.validate.results import Profile, Results
+from harness.validate.results import Results
 
 _PROFILES = {"diffusion": figures.diffusion_profiles, "convection": figures.convection_profiles}
 Finished = Callable[[Check], None]
@@ -22,27 +20,17 @@ Finished = Callable[[Check], None]
 def validate(context: Context, checks: Sequence[Check], *, jobs: int = 1, finished: Finished | None = None) -> Results:
     """Make the checks.
 
-    Parameters
-    ----------
-    context : Context
-    checks : sequence of Check
-    jobs : int
-        Number of febio4 runs at a time.
-    finished : callable, optional
-        Called after each check.
-
-    Returns
-    -------
-    Results
-        A check whose engine or plugin is missing is left out with the reason; one whose run fails has a measure that
-        misses its tolerance and quotes FEBio.
+    jobs: number of febio4 runs at a time.
+    finished: called after each check.
+    Returns: a check whose engine or plugin is missing is left out with the reason; one whose run fails has a measure
+        that misses its tolerance and quotes FEBio.
     """
     results = Results(context.interface.value)
 
     def make(check: Check) -> None:
         try:
             results.checks[check.name] = check.run(context)
-            results.profiles.extend(_profiles(context, check))
+            results.profiles.extend(_PROFILES[check.name](context) if check.name in _PROFILES else ())
         except (EngineNotFoundError, PluginNotFoundError) as error:
             results.left_out[check.name] = str(error)
         except EngineFailedError as error:
@@ -65,8 +53,3 @@ def draw(context: Context, results: Results, folder: Path) -> list[Path]:
             run, _ = indentation_pair(context)
             pictures += indentation_figures.draw(run, histories.curves(run), folder)
     return pictures
-
-
-def _profiles(context: Context, check: Check) -> list[Profile]:
-    make = _PROFILES.get(check.name)
-    return make(context) if make else []

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from harness.errors import DataFileError
 from harness.preflight.contact_types import MIXTURE
 from harness.preflight.plugin_types import FILE, PLUGIN_TYPES, Parameter
-from harness.run import standalone
+from harness.run import hosts
 from studies import tables
 from studies.pages.texts import FOLDER, page_text
 
@@ -54,7 +54,7 @@ def printed() -> str:
     EngineNotFoundError
         Where the engine is not built.
     """
-    command = [str(standalone.find()), "--contact-types"]
+    command = [str(hosts.find_standalone()), "--contact-types"]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 

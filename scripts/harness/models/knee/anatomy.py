@@ -9,54 +9,31 @@ McDermott et al. (2004), Knee Surg Sports Traumatol Arthrosc 12:130, sizes of th
 The shapes are idealised: one circle per section, and both condyles have one axis of flexion.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 
 from harness.arrays import Array
 
-SAGITTAL, CORONAL = 30.0, 20.0
-"""Radii of a condyle's surface in its sagittal and coronal sections."""
+SAGITTAL, CORONAL = 30.0, 20.0  # radii of a condyle's surface in its sagittal and coronal sections
 BACK, FRONT, SIDE = np.deg2rad(75.0), np.deg2rad(45.0), np.deg2rad(48.0)
 """Ends of a condyle's cartilage: behind and before its lowest point, and to either side."""
-FEMORAL_CARTILAGE, TIBIAL_CARTILAGE, BONE = 2.2, 2.6, 4.0
-"""Thicknesses."""
-DEPTH = 75.0
-"""Radius of the hollow of the medial plateau, and of the lateral plateau's hill in sagittal sections."""
-PLAY = 0.05
-"""Gap between a meniscus and what is above and below it at the start."""
+FEMORAL_CARTILAGE, TIBIAL_CARTILAGE, BONE = 2.2, 2.6, 4.0  # thicknesses
+DEPTH = 75.0  # radius of the hollow of the medial plateau, and of the lateral plateau's hill in sagittal sections
+PLAY = 0.05  # gap between a meniscus and what is above and below it at the start
 
 
 @dataclass(frozen=True)
 class Compartment:
-    """One side of the knee.
-
-    Attributes
-    ----------
-    name : str
-    centre : float
-        x of the lowest point of the condyle.
-    length : float
-        Half the length of the plateau's cartilage, along y.
-    rim : tuple of float
-        Semi-axes of the meniscus's rim along x and y.
-    width : float
-        Of the meniscus.
-    opening : float
-        Half the angle, as parameter of the ellipse, in which the meniscus is open.
-    hollow : bool
-        Whether the plateau is concave in all sections; convex in sagittal sections else.
-    """
+    """One side of the knee."""
 
     name: str
-    centre: float
-    length: float
-    rim: tuple[float, float]
-    width: float
-    opening: float
-    hollow: bool
+    centre: float  # x of the lowest point of the condyle
+    length: float  # half the length of the plateau's cartilage, along y
+    rim: tuple[float, float]  # semi-axes of the meniscus's rim along x and y
+    width: float  # of the meniscus
+    opening: float  # half the angle, as parameter of the ellipse, in which the meniscus is open
+    hollow: bool  # whether the plateau is concave in all sections; convex in sagittal sections else
 
     @property
     def inwards(self) -> float:
@@ -72,19 +49,14 @@ class Compartment:
 MEDIAL = Compartment("medial", -23.0, 23.0, (13.5, 21.5), 8.0, np.deg2rad(55.0), hollow=True)
 LATERAL = Compartment("lateral", 23.0, 20.0, (13.5, 17.5), 8.5, np.deg2rad(35.0), hollow=False)
 COMPARTMENTS = (MEDIAL, LATERAL)
-PLATEAU_WIDTH = 15.5
-"""Half the width of a plateau's cartilage, along x."""
+PLATEAU_WIDTH = 15.5  # half the width of a plateau's cartilage, along x
 
 
 def condyle(angle: Array, side: Array, depth: Array) -> Array:
     """Points of a condyle that touches its plateau, relative to that point, shape (..., 3).
 
-    Parameters
-    ----------
-    angle, side : ndarray
-        Around the axis of flexion, from the lowest point forwards, and along the coronal circle, rad.
-    depth : ndarray
-        Below the surface of the cartilage, mm.
+    angle, side: around the axis of flexion, from the lowest point forwards, and along the coronal circle, rad.
+    depth: below the surface of the cartilage, mm.
     """
     radius = SAGITTAL - CORONAL + (CORONAL - depth) * np.cos(side)
     x, y = (CORONAL - depth) * np.sin(side), radius * np.sin(angle)

@@ -7,8 +7,6 @@ the largest force of level walking, the second of two peaks. The curves of gait 
 with that largest force, and bend the knee by up to 30 degrees, to which the condyles of the model reach.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from enum import Enum
 
@@ -17,24 +15,16 @@ import numpy as np
 from harness.models.knee.whole_mesh import FEMUR, TIBIA
 from harness.models.parts import Condition, Control, Curve, TimeStepper, hold_rigid, push_rigid, turn_rigid
 
-STANCE = 700.0
-"""N."""
-BODY_WEIGHT = STANCE / 1.07
-"""N."""
-RISE, HOLD = 0.2, 100.0
-"""s in which the load of stance rises, and to which porous bodies bear it."""
-GROWTH = (1.0, 0.4), (HOLD, 40.0)
-"""Largest steps of what is held, s, at a time."""
-SOFT = 1e-6
-"""Factor of the stiffness of stands from the end of the rise on: FEBio refuses none."""
-SMOOTH = "SMOOTH STEP"
-"""FEBio's interpolation with level tangents at all points."""
+STANCE = 700.0  # N
+BODY_WEIGHT = STANCE / 1.07  # N
+RISE, HOLD = 0.2, 100.0  # s in which the load of stance rises, and to which porous bodies bear it
+GROWTH = (1.0, 0.4), (HOLD, 40.0)  # largest steps of what is held, s, at a time
+SOFT = 1e-6  # factor of the stiffness of stands from the end of the rise on: FEBio refuses none
+SMOOTH = "SMOOTH STEP"  # FEBio's interpolation with level tangents at all points
 GAIT_FORCE = ((0.0, 0.0), (0.15, 2.15), (0.32, 1.2), (0.5, 2.61), (0.65, 0.25), (1.0, 0.25))
 """Time, s, and force in body weights."""
-GAIT_FLEXION = ((0.0, 0.0), (0.16, 15.0), (0.4, 3.0), (0.72, 30.0), (1.0, 0.0))
-"""Time, s, and flexion, degrees."""
-FORCE, STEPS, FLEXION = 1, 2, 3
-"""Numbers of the load curves."""
+GAIT_FLEXION = ((0.0, 0.0), (0.16, 15.0), (0.4, 3.0), (0.72, 30.0), (1.0, 0.0))  # time, s, and flexion, degrees
+FORCE, STEPS, FLEXION = 1, 2, 3  # numbers of the load curves
 
 
 class Load(str, Enum):
@@ -46,31 +36,17 @@ class Load(str, Enum):
 
 @dataclass(frozen=True)
 class Loading:
-    """Conditions on the bones, with their load curves and time steps.
+    """Conditions on the bones, with their load curves and time steps."""
 
-    Attributes
-    ----------
-    end : float
-        s.
-    largest_step : tuple of (float, float)
-        Time (s) and the largest step (s) there; a step ends at each of these times.
-    force : Curve
-        N.
-    flexion : Curve, optional
-        rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one
-        rotation is given and another one free.
-    softening : Curve, optional
-        Factor of the stiffness of stands that hold the femur at first.
-    about : str
-        The load in a sentence.
-    """
-
-    end: float
+    end: float  # s
+    # Time (s) and the largest step (s) there; a step ends at each of these times.
     largest_step: tuple[tuple[float, float], ...]
-    force: Curve
+    force: Curve  # N
+    # rad; without it, the femur does not bend and tilts about the axis y. FEBio has no rigid body of which one rotation
+    # is given and another one free.
     flexion: Curve | None = None
-    softening: Curve | None = None
-    about: str = ""
+    softening: Curve | None = None  # factor of the stiffness of stands that hold the femur at first
+    about: str = ""  # the load in a sentence
 
     @property
     def curves(self) -> tuple[Curve, ...]:
@@ -98,14 +74,17 @@ def loading(load: Load) -> Loading:
 
 
 def porous(load: Load) -> Loading:
-    """The same of porous bodies: stance is held, and stands hold the femur until the load has risen.
+    """The same of porous bodies: stance stays, with growing steps, and stands hold the femur until the load has risen.
 
     Bodies that touch at a point hardly resist, and undrained ones bear no overlap: without stands, the first iteration
     inverts elements.
     """
     rising = loading(load)
     held = replace(rising, softening=Curve(((0.0, 1.0), (RISE, SOFT))))
-    return held if load is Load.GAIT else _to_the_end(held)
+    if load is Load.GAIT:
+        return held
+    about = f"A force of 700 N presses the femur down to {HOLD:g} s."
+    return replace(held, end=HOLD, largest_step=(*held.largest_step, *GROWTH), about=about)
 
 
 def stance() -> Loading:
@@ -113,12 +92,6 @@ def stance() -> Loading:
     step = RISE / 10
     rising = Curve(((0.0, 0.0), (RISE, STANCE)))
     return Loading(RISE, ((0.0, step), (RISE, step)), rising, about="A force of 700 N presses the femur down.")
-
-
-def _to_the_end(rising: Loading) -> Loading:
-    """A load that stays, with steps that grow with the time since its start."""
-    about = f"A force of 700 N presses the femur down to {HOLD:g} s."
-    return replace(rising, end=HOLD, largest_step=(*rising.largest_step, *GROWTH), about=about)
 
 
 def gait() -> Loading:

@@ -1,29 +1,20 @@
 """Gaps between surfaces of bilinear quadrilaterals that face each other along z."""
 
-from __future__ import annotations
-
 import numpy as np
 from scipy.spatial import cKDTree
 
 from harness.arrays import Array
 
-_SIGNS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
-"""Parameters of a quadrilateral's corners."""
-_SAMPLES = 7
-"""Points along each edge at which a facet is compared."""
-_NEAREST = 5
-"""Facets among which the one below or above a point is looked for."""
-_ITERATIONS = 4
-"""Of Newton's method for the parameters of a point: facets are near to parallelograms."""
+_SIGNS = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])  # parameters of a quadrilateral's corners
+_SAMPLES = 7  # points along each edge at which a facet is compared
+_NEAREST = 5  # facets among which the one below or above a point is looked for
+_ITERATIONS = 4  # of Newton's method for the parameters of a point: facets are near to parallelograms
 
 
 def smallest_gap(lower: Array, upper: Array) -> float:
     """Smallest distance along z between two surfaces, mm; negative where they overlap.
 
-    Parameters
-    ----------
-    lower, upper : ndarray, shape (n_facets, 4, 3)
-        Corners of the facets, of surfaces that are heights over x and y.
+    lower, upper: shape (n_facets, 4, 3), corners of the facets, of surfaces that are heights over x and y.
     """
     below, above = _points(lower), _points(upper)
     gaps = np.concatenate([_heights(upper, below) - below[:, 2], above[:, 2] - _heights(lower, above)])

@@ -1,7 +1,5 @@
 """Hexahedral meshes of the knee's bodies, each one structured block."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -12,12 +10,10 @@ from harness.models.knee import anatomy
 from harness.models.knee.anatomy import Compartment
 from harness.models.knee.clearance import smallest_gap
 
-ROUNDNESS = 0.5
-"""Of the plateau's corners: the elements there keep more than half of their angles."""
+ROUNDNESS = 0.5  # of the plateau's corners: the elements there keep more than half of their angles
 
 
-TOUCH = 1e-3
-"""Overlap with which femur and tibia touch, mm."""
+TOUCH = 1e-3  # overlap with which femur and tibia touch, mm
 
 
 def even(layers: int) -> Array:
@@ -32,24 +28,13 @@ def graded(layers: int) -> Array:
 
 @dataclass(frozen=True)
 class Divisions:
-    """Numbers of elements.
+    """Numbers of elements."""
 
-    Attributes
-    ----------
-    condyle : tuple of int
-        Eighths of the cartilage around the axis of flexion, across it, and through the cartilage.
-    plateau : tuple of int
-        Across, along, and through the cartilage.
-    meniscus : tuple of int
-        Around, from the rim to the inner edge, and through its height.
-    depths : callable
-        Depths of the layers through cartilage and menisci, from their number.
-    """
-
+    # Eighths of the cartilage around the axis of flexion, across it, and through the cartilage.
     condyle: tuple[int, int, int]
-    plateau: tuple[int, int, int]
-    meniscus: tuple[int, int, int]
-    depths: Callable[[int], Array] = even
+    plateau: tuple[int, int, int]  # across, along, and through the cartilage
+    meniscus: tuple[int, int, int]  # around, from the rim to the inner edge, and through its height
+    depths: Callable[[int], Array] = even  # depths of the layers through cartilage and menisci, from their number
 
     @property
     def seat(self) -> float:
@@ -65,37 +50,21 @@ class Divisions:
 
 @dataclass(frozen=True)
 class Fit:
-    """Where the bodies of a compartment are at the start.
+    """Where the bodies of a compartment are at the start."""
 
-    Attributes
-    ----------
-    seat : float
-        How deep the femur overlaps the tibia, mm.
-    above, below : float
-        Gaps between the meniscus and the smooth surfaces of femur and tibia, mm.
-    """
-
-    seat: float
+    seat: float  # how deep the femur overlaps the tibia, mm
+    # Gaps between the meniscus and the smooth surfaces of femur and tibia, mm.
     above: float = anatomy.PLAY
     below: float = anatomy.PLAY
 
 
 @dataclass(frozen=True)
 class Block:
-    """A structured block whose third direction goes from bone to cartilage, or up.
+    """A structured block whose third direction goes from bone to cartilage, or up."""
 
-    Attributes
-    ----------
-    points : ndarray, shape (n_i + 1, n_j + 1, n_k + 1, 3)
-    bone : int
-        Layers of elements of bone, the first ones along the third direction.
-    first : int
-        Number of the block's first node, from 1.
-    """
-
-    points: Array
-    bone: int = 0
-    first: int = 1
+    points: Array  # shape (n_i + 1, n_j + 1, n_k + 1, 3)
+    bone: int = 0  # layers of elements of bone, the first ones along the third direction
+    first: int = 1  # number of the block's first node, from 1
 
     @property
     def nodes(self) -> Ids:

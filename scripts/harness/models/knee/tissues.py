@@ -14,8 +14,6 @@ compression, 0.18 MPa and 0.32; Sweigart et al. (2004), Ann Biomed Eng 32:1569, 
 Solute: glucose. Torzilli et al. (1998), J Biomed Mater Res 40:132, 6.1e-4 mm^2/s in cartilage; 9e-4 mm^2/s in water.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -33,68 +31,46 @@ from harness.models.parts import (
     child,
     concentration,
     effective_pressure,
+    fill,
     initial_concentration,
     initial_pressure,
     pressure,
 )
 
-TOE = 1.01
-"""Stretch at which all fibres are straight."""
+TOE = 1.01  # stretch at which all fibres are straight
 AROUND, ACROSS, UP = (1, 2), (1, 4), (1, 5)
 """Edges of an element along which fibres go, by their nodes: in menisci around, to the inner edge, and up."""
 
 
 @dataclass(frozen=True)
 class Fibrous(Solid):
-    """Neo-Hookean matrix with fibres along edges of the elements, which bear tension alone.
+    """Neo-Hookean matrix with fibres along edges of the elements, which bear tension alone."""
 
-    Attributes
-    ----------
-    fibres : mapping
-        Young's modulus that straight fibres add along an edge, MPa.
-    """
-
+    # Young's modulus that straight fibres add along an edge, MPa.
     fibres: Mapping[tuple[int, int], float] = field(default_factory=dict)
 
     def write(self, parent: Element, tag: str = "solid") -> Element:
-        """Append the solid to `parent` under the name `tag`."""
         made = child(parent, tag, type="solid mixture")
         super().write(made)
         for edge, modulus in self.fibres.items():
             fibres = child(made, "solid", type="fiber-pow-linear")
-            child(fibres, "E", modulus)
-            child(fibres, "lam0", TOE)
-            child(fibres, "beta", 2.0)
+            fill(fibres, E=modulus, lam0=TOE, beta=2.0)
             child(fibres, "fiber", edge, type="local")
         return made
 
 
 @dataclass(frozen=True)
 class Tissues:
-    """What cartilage and menisci are, and what follows from it for a model.
+    """What cartilage and menisci are, and what follows from it for a model."""
 
-    Attributes
-    ----------
-    module : str
-        Of FEBio.
-    cartilage, meniscus : Elastic or Mixture
-    theirs : InterfaceType
-        FEBio's contact between them.
-    about : str
-        The tissues in a sentence.
-    conditions : tuple of Condition
-        At the start, and where synovial fluid wets them outside of contact surfaces.
-    ambient : tuple of Param
-        The same fluid at open nodes of contacts.
-    """
-
-    module: str
+    module: str  # of FEBio
     cartilage: Elastic | Mixture
     meniscus: Elastic | Mixture
-    theirs: InterfaceType
-    about: str
+    theirs: InterfaceType  # FEBio's contact between them
+    about: str  # the tissues in a sentence
+    # At the start, and where synovial fluid wets them outside of contact surfaces.
     conditions: tuple[Condition, ...] = ()
-    ambient: tuple[Param, ...] = ()
+    ambient: tuple[Param, ...] = ()  # the same fluid at open nodes of contacts
 
     @property
     def porous(self) -> bool:

@@ -1,7 +1,5 @@
 """The model of the knee: mesh, materials, load and contacts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -33,34 +31,21 @@ scripts/harness/models/knee."""
 
 @dataclass(frozen=True)
 class Knee:
-    """Choices of the knee.
-
-    Attributes
-    ----------
-    contact : InterfaceType
-    size : Size
-    load : Load
-    friction : float
-        Coefficient mu_eq in all contacts.
-    settings : ContactSettings, optional
-        Of all contacts; `settings_of` without it.
-    name : str
-    bodies : Bodies
-        Kind of cartilage and menisci.
-    """
+    """Choices of the knee."""
 
     contact: InterfaceType = InterfaceType.MIXTURE
     size: Size = Size.SMALL
     load: Load = Load.STANCE
-    friction: float = 0.0
-    settings: ContactSettings | None = None
+    friction: float = 0.0  # coefficient mu_eq in all contacts
+    settings: ContactSettings | None = None  # of all contacts; `settings_of` without it
     name: str = "knee"
-    bodies: Bodies = Bodies.ELASTIC
+    bodies: Bodies = Bodies.ELASTIC  # kind of cartilage and menisci
 
     def model(self) -> Model:
         """The model of these choices."""
         tissues = TISSUES[self.bodies]
         made = whole_mesh.meshed(self.size, porous=tissues.porous)
+        medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
         loading = bearing.porous(self.load) if tissues.porous else bearing.loading(self.load)
         stands = tuple(replace(stand, curve=len(loading.curves)) for stand in made.stands if loading.softening)
         given = self.settings or settings_of(self.contact, tissues)
@@ -71,7 +56,7 @@ class Knee:
             header(self.name, ABOUT.format(tissues=tissues.about, load=loading.about), self.contact),
             tissues.module,
             made.mesh,
-            materials(tissues, (_across(), 0.0, made.axis)),
+            materials(tissues, (MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral, 0.0, made.axis)),
             (*loading.conditions(), *tissues.conditions),
             loading.control(),
             contacts(self.contact, made.mesh, given),
@@ -81,12 +66,6 @@ class Knee:
             node_log=False,
             further_plot=("contact force",),
         )
-
-
-def _across() -> float:
-    """Where along x the force acts, mm."""
-    medial, lateral = (side.centre for side in anatomy.COMPARTMENTS)
-    return MEDIAL_SHARE * medial + (1.0 - MEDIAL_SHARE) * lateral
 
 
 def settings_of(contact: InterfaceType, tissues: Tissues) -> ContactSettings:

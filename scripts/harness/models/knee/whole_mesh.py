@@ -1,7 +1,5 @@
 """The mesh of the knee: its parts, contact surfaces and pairs, and the springs of the menisci's horns."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -14,23 +12,18 @@ from harness.models.knee import anatomy, structured_blocks
 from harness.models.knee.anatomy import COMPARTMENTS, Compartment
 from harness.models.knee.structured_blocks import Block, Divisions, Fit
 from harness.models.mesh import Mesh, Part
-from harness.models.springs import Springs
+from harness.models.parts import Springs
 
-_Named = tuple[str, Ids]
-"""A surface with its name."""
+_Named = tuple[str, Ids]  # a surface with its name
 
 
 class Size(str, Enum):
     """How fine the mesh is, by its number of equations where all bodies are elastic."""
 
-    COARSE = "coarse"
-    """About 5 000 equations, for a first look."""
-    SMALL = "small"
-    """About 25 000 equations."""
-    MEDIUM = "medium"
-    """About 100 000 equations."""
-    LARGE = "large"
-    """About 300 000 equations."""
+    COARSE = "coarse"  # about 5 000 equations, for a first look
+    SMALL = "small"  # about 25 000 equations
+    MEDIUM = "medium"  # about 100 000 equations
+    LARGE = "large"  # about 300 000 equations
 
 
 DIVISIONS = {
@@ -45,12 +38,9 @@ POROUS_DIVISIONS: Mapping[Size, Divisions] = {
     for size, divisions in (DIVISIONS | {Size.COARSE: _POROUS_COARSE}).items()
 }
 """Those of porous bodies: at least three layers, thinner towards surface and bone, where the fluid pressure bends."""
-HORN_STIFFNESS = 2000.0
-"""N/mm of all springs of a horn together: Haut Donahue et al. (2002), J Biomech Eng 124:273."""
-STAND_STIFFNESS = 1000.0
-"""N/mm of a stand at the start."""
-REACH = 8.0
-"""How far from a horn, along x and y, its springs end in the bone, mm."""
+HORN_STIFFNESS = 2000.0  # N/mm of all springs of a horn together: Haut Donahue et al. (2002), J Biomech Eng 124:273.
+STAND_STIFFNESS = 1000.0  # N/mm of a stand at the start
+REACH = 8.0  # how far from a horn, along x and y, its springs end in the bone, mm
 FEMORAL, TIBIAL, MENISCAL = "femoral-cartilage", "tibial-cartilage", "meniscus"
 FEMUR, TIBIA = "femur", "tibia"
 POROUS, BATH = "porous", "bath"
@@ -59,23 +49,12 @@ POROUS, BATH = "porous", "bath"
 
 @dataclass(frozen=True)
 class Meshed:
-    """A knee without materials and loads.
-
-    Attributes
-    ----------
-    mesh : Mesh
-    horns : tuple of Springs
-        Of the menisci.
-    stands : tuple of Springs
-        Between femur and tibia, one in each compartment.
-    axis : float
-        Height of the axis of flexion, mm.
-    """
+    """A knee without materials and loads."""
 
     mesh: Mesh
-    horns: tuple[Springs, ...]
-    stands: tuple[Springs, ...]
-    axis: float
+    horns: tuple[Springs, ...]  # of the menisci
+    stands: tuple[Springs, ...]  # between femur and tibia, one in each compartment
+    axis: float  # height of the axis of flexion, mm
 
 
 def meshed(size: Size, *, porous: bool = False) -> Meshed:

@@ -1,7 +1,5 @@
 """Boundary and initial conditions that name unknowns, as conditions of one field each."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 
@@ -63,13 +61,7 @@ def _of(tag: Element, unknown: str) -> Element:
 
 
 def names(tag: Element, listed: str) -> list[str]:
-    """Unknowns in a list that a tag has.
-
-    Raises
-    ------
-    ModelError
-        One of them is no name.
-    """
+    """Unknowns in a list that a tag has. Raises ModelError where one of them is no name."""
     found = [name.strip() for name in listed.split(",") if name.strip()]
     wrong = next((name for name in found if not _NAME.fullmatch(name)), None)
     if wrong is not None:

@@ -1,7 +1,5 @@
 """Format 2.5, of FEBio 2."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
@@ -33,7 +31,7 @@ def rewritten(document: Document) -> Document:
             conditions.initial(tag, attribute(tag, "bc"))
     upper_case(document)
     for section in document.each("Control"):
-        _control(section)
+        enclose(section, "solver", (tag for tag in children(section) if tag.tag not in _OF_STEP))
     for curve in document.all("LoadData", "loadcurve"):
         enclose(rename(curve, "load_controller"), "points", children(curve))
     rename_contacts(document)
@@ -76,8 +74,3 @@ def _rigid(section: Element, tag: Element, body: str) -> None:
         add(made, f"{dof}_dof", tag, "1")
     else:
         add(made, "dof", tag, dof)
-
-
-def _control(section: Element) -> None:
-    """Parameters of the solver in a tag of their own."""
-    enclose(section, "solver", (tag for tag in children(section) if tag.tag not in _OF_STEP))

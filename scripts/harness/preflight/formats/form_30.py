@@ -1,7 +1,5 @@
 """Format 3.0, of FEBio 3."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 from harness.preflight.formats import conditions
@@ -19,7 +17,8 @@ def rewritten(document: Document) -> Document:
         section[:] = [made for tag in [*children(section)] for made in _boundary(section, tag)]
     for section in document.each("Initial"):
         for tag in children(section, "ic"):
-            _initial(tag)
+            if tag.get("type") == "init_dof":
+                conditions.initial(tag, _unknown(tag, "dof"))
     for section in document.each("Rigid"):
         for tag in [*children(section, "rigid_constraint")]:
             _rigid(tag, names)
@@ -40,11 +39,6 @@ def _boundary(section: Element, tag: Element) -> Iterator[Element]:
         yield conditions.prescribed(tag, _unknown(tag, "dof"))
     else:
         yield tag
-
-
-def _initial(tag: Element) -> None:
-    if tag.get("type") == "init_dof":
-        conditions.initial(tag, _unknown(tag, "dof"))
 
 
 def _rigid(tag: Element, names: Mapping[str, str]) -> None:

@@ -1,7 +1,5 @@
 """The section <Geometry>, which has the materials of the elements beside them, and its sets, which list members."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
@@ -10,8 +8,7 @@ from harness.preflight.formats.rewriting import add, rename, set_text
 from harness.preflight.xml_file import Document, Element, attribute, children, text, unknown_name
 
 _SIDES = {"master": "secondary", "slave": "primary"}
-_OF_OTHER_USE = ("NodeSetPair", "NodeSetSet")
-"""What 4.0 does not have, and no contact uses."""
+_OF_OTHER_USE = ("NodeSetPair", "NodeSetSet")  # what 4.0 does not have, and no contact uses
 
 
 def mesh_of_geometry(document: Document, materials: Mapping[str, str]) -> Document:
@@ -59,16 +56,13 @@ def _mesh(section: Element) -> None:
 
 def list_members(document: Document) -> None:
     """Members as a list of numbers."""
-    known = {str(tag.get("name")): _numbers(tag) for tag in document.all("Mesh", "Nodes") if tag.get("name")}
+    named = (tag for tag in document.all("Mesh", "Nodes") if tag.get("name"))
+    known = {str(tag.get("name")): ",".join(attribute(child, "id") for child in children(tag)) for tag in named}
     for tag in document.all("Mesh", "NodeSet"):
         set_text(tag, _members(tag, known))
         known[attribute(tag, "name")] = text(tag)
     for tag in document.all("Mesh", "ElementSet"):
         set_text(tag, _members(tag, {}))
-
-
-def _numbers(tag: Element) -> str:
-    return ",".join(attribute(child, "id") for child in children(tag))
 
 
 def _members(tag: Element, known: Mapping[str, str]) -> str:

@@ -1,8 +1,6 @@
 """A mesh of parts and their instances as one mesh."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from copy import deepcopy
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -67,10 +65,7 @@ class _Place:
 def one_mesh(model: Path, section: Element) -> None:
     """Puts the nodes, elements and sets of each instance in the place of the instance.
 
-    Raises
-    ------
-    ModelError
-        A part, surface or rotation that does not exist; numbers that are none.
+    Raises ModelError: a part, surface or rotation that does not exist; numbers that are none.
     """
     tags = [*children(section)]
     if not any(tag.tag in ("Part", "Instance") for tag in tags):
@@ -153,15 +148,10 @@ def _join(mesh: _Mesh, surface: Element) -> None:
     mesh.surfaces[attribute(surface, "name")] = surface
 
 
-def _placement(instance: Element) -> Iterator[Element]:
-    """What an instance has of scale, rotation and translation, in format 3.0 in a tag of their own."""
-    for tag in children(instance):
-        yield from children(tag) if tag.tag == "transform" else (tag,)
-
-
 def _move(instance: Element) -> Move:
     """Scales, turns and moves a point."""
-    found = {str(tag.tag): tag for tag in _placement(instance)}
+    parts = (children(tag) if tag.tag == "transform" else (tag,) for tag in children(instance))  # format 3.0 has one
+    found = {str(tag.tag): tag for part in parts for tag in part}
     scale = floats(found["scale"], 3) if "scale" in found else np.ones(3)
     shift = floats(found["translate"], 3) if "translate" in found else np.zeros(3)
     turn = _rotation(found["rotate"]) if "rotate" in found else np.eye(3)

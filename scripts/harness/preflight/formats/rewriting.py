@@ -1,7 +1,5 @@
 """Changes to the tags of a model that was read, which keep line and tag of its file for messages."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from lxml import etree
@@ -61,10 +59,7 @@ def upper_case(document: Document) -> None:
             set_text(tag, (tag.get("type") or tag.text or "").strip().upper())
 
 
-OLD_NAMES = {
-    "facet-to-facet sliding": "sliding-facet-on-facet",
-    "sliding_with_gaps": "sliding-node-on-facet",
-}
+OLD_NAMES = {"facet-to-facet sliding": "sliding-facet-on-facet", "sliding_with_gaps": "sliding-node-on-facet"}
 """What they are called in format 4.0."""
 
 

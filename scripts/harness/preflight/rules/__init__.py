@@ -1,7 +1,5 @@
 """The rules of `check`: each looks at one contact of a model and says what it finds."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 
 from harness.preflight.finding import Finding
@@ -19,8 +17,7 @@ from harness.preflight.sides import Joint
 
 Rule = Callable[[Joint], Iterable[Finding]]
 
-ON_TEXT: tuple[Rule, ...] = (*settings.RULES, *membranes.RULES)
-"""Rules that read the file alone."""
+ON_TEXT: tuple[Rule, ...] = (*settings.RULES, *membranes.RULES)  # rules that read the file alone
 ON_SURFACES: tuple[Rule, ...] = surfaces.RULES
 """Rules on the surfaces; the others are asked only where these find no error."""
 ON_PHYSICS: tuple[Rule, ...] = (

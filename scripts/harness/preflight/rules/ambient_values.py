@@ -1,7 +1,5 @@
 """Rules on ambient values: effective pressures against effective concentrations."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -9,14 +7,12 @@ import numpy as np
 from harness.arrays import Array
 from harness.preflight import levels
 from harness.preflight.finding import Finding, note, short, warning
-from harness.preflight.levels import Level, prescribed_nodes
+from harness.preflight.levels import prescribed_nodes
 from harness.preflight.sides import Joint
 from harness.preflight.xml_file import Element
 
-CLOSE = 0.01
-"""Relative agreement with R T Phi c."""
-FAR = 1e4
-"""Pressure over R T Phi c from which the units are in doubt."""
+CLOSE = 0.01  # relative agreement with R T Phi c
+FAR = 1e4  # pressure over R T Phi c from which the units are in doubt
 
 
 def without_effect(joint: Joint) -> Iterator[Finding]:
@@ -24,12 +20,8 @@ def without_effect(joint: Joint) -> Iterator[Finding]:
     for name in ("ambient_pressure", "ambient_concentration"):
         tag = joint.contact.given(name)
         if tag is not None and not joint.contact.drains:
-            yield note(
-                "not-drained",
-                tag,
-                f"<{name}> has no effect: <free_draining> is 0",
-                f"Delete <{name}>, or set <free_draining> to 1.",
-            )
+            seen = f"<{name}> has no effect: <free_draining> is 0"
+            yield note("not-drained", tag, seen, f"Delete <{name}>, or set <free_draining> to 1.")
 
 
 def ambient(joint: Joint) -> Iterator[Finding]:
@@ -57,29 +49,16 @@ def prescribed(joint: Joint) -> Iterator[Finding]:
 def initial(joint: Joint) -> Iterator[Finding]:
     """Bodies that begin with a concentration but without the effective pressure of an unpressurised gel."""
     model = joint.model
-    pressures = list(levels.initial_pressures(model))
-    for number in model.solute_numbers:
-        for concentration in levels.initial_concentrations(model, number):
-            there = [match for k in model.solute_numbers if (match := _initial_there(joint, concentration, k))]
-            osmotic = levels.osmotic_scale(joint) * sum(level.first for level in there)
+    pressures = list(levels.initial(model))
+    known = {number: list(levels.initial(model, number)) for number in model.solute_numbers}
+    for number, concentration in ((number, level) for number, group in known.items() for level in group):
+        there = {k: match for k, group in known.items() if (match := levels.covering(concentration, group))}
+        if number == min(there):
+            osmotic = levels.osmotic_scale(joint) * sum(level.first for level in there.values())
             own = levels.covering(concentration, pressures)
-            value = 0.0 if own is None else own.first
-            tag = concentration.tag if own is None else own.tag
-            if number == min(_number(joint, level) for level in there):
-                what = "the initial effective pressure"
-                yield from _judge(tag, np.array([value]), np.array([osmotic]), what, own is not None)
-
-
-def _initial_there(joint: Joint, concentration: Level, number: int) -> Level | None:
-    return levels.covering(concentration, list(levels.initial_concentrations(joint.model, number)))
-
-
-def _number(joint: Joint, level: Level) -> int:
-    """Number of the solute that an initial concentration is of."""
-    for number in joint.model.solute_numbers:
-        if any(level.tag is other.tag for other in levels.initial_concentrations(joint.model, number)):
-            return number
-    return 0
+            value, tag = (0.0, concentration.tag) if own is None else (own.first, own.tag)
+            both = np.array([value]), np.array([osmotic])
+            yield from _judge(tag, *both, "the initial effective pressure", own is not None)
 
 
 def _over_time(joint: Joint, own: Array, concentrations: Sequence[Array]) -> tuple[Array, Array]:
@@ -108,12 +87,8 @@ def _judge(tag: Element, own: Array, osmotic: Array, what: str, given: bool) -> 
         f"{what} {have}, but with these concentrations R T Phi c is {short(-expected)}: this is an ambient fluid "
         f"pressure of {short(fluid)}, and the body swells or shrinks at once at every node with this pressure",
         f"For an ambient fluid without pressure, set it to {expected:.5g}, which is -R T Phi c"
-        + (", with the load curve of the concentration." if _has_curve(tag) or len(own) > 1 else "."),
+        + (", with the load curve of the concentration." if tag.get("lc") or len(own) > 1 else "."),
     )
-
-
-def _has_curve(tag: Element) -> bool:
-    return bool(tag.get("lc"))
 
 
 def overwritten(joint: Joint) -> Iterator[Finding]:

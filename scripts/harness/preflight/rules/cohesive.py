@@ -1,7 +1,5 @@
 """Rules on ties that soften as they open: the penalty of their bonds, and the zone in which these soften."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -13,36 +11,16 @@ from harness.preflight.finding import Finding, error, short, warning
 from harness.preflight.penalty import harmonic_mean, in_series, largest
 from harness.preflight.sides import TRACTION, Joint, Side
 
-FACTOR = 50.0
-"""`default_cohesive_factor` of plugin/contact/tie/tie.h."""
-LEAST_FACETS = 3.0
-"""`facets_in_cohesive_zone` of plugin/host/cohesive_zone.h."""
+FACTOR = 50.0  # `default_cohesive_factor` of plugin/contact/tie/tie.h
+LEAST_FACETS = 3.0  # `facets_in_cohesive_zone` of plugin/host/cohesive_zone.h
 
 
 @dataclass(frozen=True)
 class Bond:
-    """The law of a bond in one mode.
+    """The law of a bond in one mode."""
 
-    Attributes
-    ----------
-    strength : float
-        MPa.
-    energy : float
-        N/mm.
-    """
-
-    strength: float
-    energy: float
-
-    @property
-    def least_penalty(self) -> float:
-        """The penalty at which a bond begins to soften where it breaks, MPa/mm."""
-        return self.strength**2 / (2.0 * self.energy)
-
-    @property
-    def softness(self) -> float:
-        """G/sigma_c^2, mm/MPa."""
-        return self.energy / self.strength**2
+    strength: float  # MPa
+    energy: float  # N/mm
 
 
 def bonds(joint: Joint) -> tuple[Bond, ...]:
@@ -68,16 +46,13 @@ def _penalty(joint: Joint) -> float:
 
 def soft_bonds(joint: Joint) -> Iterator[Finding]:
     """A penalty with which bonds would break before they soften."""
-    needed = max((bond.least_penalty for bond in bonds(joint)), default=math.nan)
+    needed = max((bond.strength**2 / (2.0 * bond.energy) for bond in bonds(joint)), default=math.nan)
     own = _penalty(joint)
     if own <= needed:
         tag = joint.contact.given("penalty")
-        yield error(
-            "soft-bonds",
-            joint.contact.tag if tag is None else tag,
-            f"bonds have a penalty of {short(own)}, and soften only above {short(needed)}, strength^2/(2 energy)",
-            f"Set <penalty> to {short(20.0 * needed)} and <auto_penalty> to 0, or a smaller <max_traction>.",
-        )
+        seen = f"bonds have a penalty of {short(own)}, and soften only above {short(needed)}, strength^2/(2 energy)"
+        cure = f"Set <penalty> to {short(20.0 * needed)} and <auto_penalty> to 0, or a smaller <max_traction>."
+        yield error("soft-bonds", joint.contact.tag if tag is None else tag, seen, cure)
 
 
 def _zone(side: Side, softness: float) -> float:
@@ -94,7 +69,7 @@ def _zone(side: Side, softness: float) -> float:
 
 def short_zone(joint: Joint) -> Iterator[Finding]:
     """Facets that are too long for the zone in which bonds soften."""
-    softness = min((bond.softness for bond in bonds(joint)), default=math.inf)
+    softness = min((bond.energy / bond.strength**2 for bond in bonds(joint)), default=math.inf)
     corners = joint.primary.corners
     longest = float(np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2).max())
     zone = min(_zone(side, softness) for side in joint.sides)

@@ -1,7 +1,5 @@
 """Rules on gaps and overlaps at the start."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 
@@ -12,8 +10,7 @@ from harness.preflight.sides import Joint
 
 DEEP = 0.25
 """Overlap over the thickness of the elements beyond which the first iteration is in danger; a press fit has less."""
-COARSER = 3.0
-"""How much larger the facets of the primary surface may be."""
+COARSER = 3.0  # how much larger the facets of the primary surface may be
 
 
 def search_radius(joint: Joint) -> Iterator[Finding]:
@@ -65,13 +62,11 @@ def finer_primary(joint: Joint) -> Iterator[Finding]:
         return
     one, two = (math.sqrt(float(np.median(side.area))) for side in joint.sides)
     if two > 0.0 and one > COARSER * two and not joint.primary.rigid:
-        yield note(
-            "finer-primary",
-            joint.contact.pair.tag,
+        seen = (
             f"facets of the primary surface are {short(one / two)} times as wide as those of the secondary one: "
-            "the contact resolves its edge to one facet of the primary surface",
-            "Exchange <primary> and <secondary>.",
+            "the contact resolves its edge to one facet of the primary surface"
         )
+        yield note("finer-primary", joint.contact.pair.tag, seen, "Exchange <primary> and <secondary>.")
 
 
 RULES = (search_radius, initial_overlap, finer_primary)

@@ -1,13 +1,10 @@
 """Rules on rigid-body motion: is each body held, before it touches and after?"""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
-from harness.arrays import Array
+from harness.arrays import Array, Mask
 from harness.preflight.finding import Finding, short, warning
 from harness.preflight.model import Condition, Model
 from harness.preflight.sides import Joint, Side
@@ -15,10 +12,8 @@ from harness.preflight.xml_file import Element, children, chosen, flag, text
 
 AXES = ("x", "y", "z")
 ANALYSES = ("STATIC", "DYNAMIC")
-SMALL = 1e-6
-"""Singular value, relative to the largest, that counts as zero."""
-MOST_ROWS = 3000
-"""So many nodes of a set are looked at."""
+SMALL = 1e-6  # singular value, relative to the largest, that counts as zero
+MOST_ROWS = 3000  # so many nodes of a set are looked at
 _NOT_MECHANICAL = ("pressure", "concentration", "temperature", "shell", "fluid")
 _RIGID_DOFS = ("Rx", "Ry", "Rz", "Ru", "Rv", "Rw")
 
@@ -60,10 +55,7 @@ def rigid_modes(joint: Joint) -> Iterator[Finding]:
 def free_motions(rows: Array) -> list[str]:
     """Rigid motions that constraints leave free, in words.
 
-    Parameters
-    ----------
-    rows : ndarray, shape (n, 6)
-        Each row r holds r . (translation, rotation about the body's centre over its size).
+    rows: shape (n, 6), each row r holds r . (translation, rotation about the body's centre over its size).
     """
     if not len(rows):
         return ["in all directions"]
@@ -94,7 +86,7 @@ def _centre(model: Model, side: Side) -> tuple[Array, float]:
     return points.mean(axis=0), size or 1.0
 
 
-def _body_nodes(model: Model, side: Side) -> NDArray[np.bool_]:
+def _body_nodes(model: Model, side: Side) -> Mask:
     return np.asarray(np.isin(model.mesh.bodies, list(side.bodies)))
 
 

@@ -1,18 +1,14 @@
 """Rules on penalties: what they let through, and whether they are too stiff."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 
 from harness.preflight.finding import Finding, error, note, percent, short, warning
-from harness.preflight.penalty import Penalty, leak, penalty, penalty_for
+from harness.preflight.penalty import Penalty, leak, penalty
 from harness.preflight.sides import TRACTION, Field, Joint
 
-LARGEST_LEAK = 0.01
-"""Jump over the difference across both bodies that passes without a word."""
-GOOD_LEAK = 1e-3
-"""What a suggested penalty leaves."""
+LARGEST_LEAK = 0.01  # jump over the difference across both bodies that passes without a word
+GOOD_LEAK = 1e-3  # what a suggested penalty leaves
 STIFFEST_TRACTION, STIFFEST_FLUX = 1e5, 1e12
 """Penalty over local stiffness or conductance from which Newton's method, or rounding, suffers."""
 
@@ -56,7 +52,7 @@ def _local(field: Field) -> str:
 
 
 def _stiffer(joint: Joint, field: Field, own: Penalty) -> str:
-    enough = penalty_for(joint, field, GOOD_LEAK)
+    enough = (1.0 / GOOD_LEAK - 1.0) / sum(side.resistance(field) for side in joint.sides)
     relative = own.factor and own.local > 0.0
     value = f"{short(enough / own.local)}, times the local {_local(field)}" if relative else short(enough)
     if joint.contact.kind.is_mixture:
@@ -87,6 +83,7 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
     automatic = contact.on("auto_penalty") or (contact.kind.is_mixture and contact.given("penalty") is None)
     if not automatic:
         return
+    has_modulus = any(material.tag.find("E") is not None for material in joint.primary.kinds)
     if contact.kind.is_mixture and all(side.rigid for side in joint.sides):
         yield note(
             "rigid-penalty",
@@ -95,7 +92,7 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
             "<E>/(1 - <v>^2) of rigid materials",
             "None if this modulus is about right. Otherwise set <penalty> to a value (force per volume).",
         )
-    elif not contact.kind.is_mixture and joint.primary.rigid and _no_modulus(joint):
+    elif not contact.kind.is_mixture and joint.primary.rigid and not has_modulus:
         yield error(
             "rigid-penalty",
             contact.tag,
@@ -103,10 +100,6 @@ def rigid_sides(joint: Joint) -> Iterator[Finding]:
             "keeps the bodies apart",
             "Exchange <primary> and <secondary>, or give the rigid material an <E> like that of the other body.",
         )
-
-
-def _no_modulus(joint: Joint) -> bool:
-    return not any(material.tag.find("E") is not None for material in joint.primary.kinds)
 
 
 def unknown_properties(joint: Joint) -> Iterator[Finding]:

@@ -1,7 +1,5 @@
 """Rules on the parameters of a contact, and on the solver and module around it."""
 
-from __future__ import annotations
-
 import difflib
 import math
 from collections.abc import Iterator
@@ -11,33 +9,24 @@ from harness.preflight.finding import Finding, error, note, short, warning
 from harness.preflight.model import METHODS
 from harness.preflight.plugin_types import PLUGIN_TYPES
 from harness.preflight.sides import Joint
-from harness.preflight.xml_file import WITHOUT_CONTENT, Element, children, chosen, place, text
+from harness.preflight.xml_file import WITHOUT_CONTENT, Element, as_number, children, chosen, place, text
 
 NOT_NEGATIVE = "zero or a positive number"
 COUNT, SWITCH, NUMBER = "zero or a positive whole number", "0 or 1", "a number"
 FRACTION, POSITIVE = "a number from 0 to 1", "a number above 0"
 _OF_MIXTURE = PLUGIN_TYPES[MIXTURE]
 CHOICES = {parameter.name: parameter.choices for parameter in _OF_MIXTURE if parameter.choices}
-OWN_CHOICES = METHODS[-1:]
-"""Last of their list, and not in FEBio's sliding interfaces."""
+OWN_CHOICES = METHODS[-1:]  # last of their list, and not in FEBio's sliding interfaces
+_OF_KIND = {"switch": SWITCH, "integer": COUNT, "number": NOT_NEGATIVE, "values per solute": NOT_NEGATIVE}
 ALLOWED = {
-    **dict.fromkeys(("tolerance", "traction_tolerance", "solvent_tolerance", "solute_tolerance"), NOT_NEGATIVE),
-    **dict.fromkeys(("gaptol", "ptol", "ctol", "search_tol", "fric_coeff"), NOT_NEGATIVE),
-    **dict.fromkeys(("penalty", "pressure_penalty", "concentration_penalty", "search_radius"), NOT_NEGATIVE),
-    **dict.fromkeys(("seg_up", "minaug", "maxaug", "integration_order"), COUNT),
-    **dict.fromkeys(("auto_penalty", "update_penalty", "two_pass", "symmetric_stiffness", "node_reloc"), SWITCH),
-    **dict.fromkeys(("predictor", "non_negative_concentrations", "line_search_guard", "free_draining"), SWITCH),
-    **dict.fromkeys(("tension", "flip_primary", "flip_secondary", "smooth_aug", "smooth_fls"), SWITCH),
-    **dict.fromkeys(("shell_bottom_primary", "shell_bottom_secondary"), SWITCH),
-    "ambient_pressure": NUMBER,
-    "offset": NUMBER,
-    "contact_frac": FRACTION,
-    "tangential_penalty": POSITIVE,
-    **dict.fromkeys(("ambient_concentration", "hydraulic_conductance", "solute_permeance"), NOT_NEGATIVE),
-    "reflection": FRACTION,
+    **{each.name: _OF_KIND[each.kind] for own in PLUGIN_TYPES.values() for each in own if each.kind in _OF_KIND},
+    **dict.fromkeys(("ambient_pressure", "offset"), NUMBER),
+    **dict.fromkeys(("contact_frac", "reflection"), FRACTION),
     **dict.fromkeys(("max_traction", "max_shear", "fracture_energy", "fracture_energy_shear"), POSITIVE),
+    "tangential_penalty": POSITIVE,
+    **dict.fromkeys(("knmult", "extrapolation", "mixing", "viscosity"), ""),
 }
-"""What each parameter may be, in words; the others may be anything."""
+"""What each parameter may be, in words; the others, and those without words, may be anything."""
 UNLIMITED = ("gaptol", "ptol", "ctol")
 """Tolerances of FEBio's types that hold nothing where they are negative, which is a default of its tied ones."""
 LEFT_OUT = {
@@ -59,10 +48,8 @@ NEVER_NEGATIVE = {
 PER_SOLUTE = tuple(parameter.name for parameter in _OF_MIXTURE if parameter.kind == "values per solute")
 """Parameters that are given once for each solute."""
 FEW_REFORMATIONS = 15
-SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")
-"""FEBio's linear solvers for symmetric matrices alone."""
-ITERATIVE_SOLVERS = ("fgmres", "bicgstab", "hypre_gmres", "boomeramg")
-"""Those that need a diagonal without zeros."""
+SYMMETRIC_SOLVERS = ("skyline", "cg", "hypre_pcg_amg")  # FEBio's linear solvers for symmetric matrices alone
+ITERATIVE_SOLVERS = ("fgmres", "bicgstab", "hypre_gmres", "boomeramg")  # those that need a diagonal without zeros
 
 
 def unknown_parameter(joint: Joint) -> Iterator[Finding]:
@@ -73,24 +60,17 @@ def unknown_parameter(joint: Joint) -> Iterator[Finding]:
         if name in known:
             continue
         near = [RENAMED[name]] if name in RENAMED else difflib.get_close_matches(name, known, 1)
-        yield error(
-            "unknown-parameter",
-            tag,
-            f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops",
-            f"Write <{near[0]}>, if that is meant." if near else "Delete it. The documentation lists the parameters.",
-        )
+        seen = f"{joint.contact.kind.name} has no parameter <{name}>; FEBio stops"
+        cure = f"Write <{near[0]}>, if that is meant." if near else "Delete it. The documentation lists the parameters."
+        yield error("unknown-parameter", tag, seen, cure)
 
 
 def empty_contact(joint: Joint) -> Iterator[Finding]:
     """Contacts without parameters that FEBio cannot read."""
     tag = joint.contact.tag
     if tag.get(WITHOUT_CONTENT):
-        yield error(
-            "empty-contact",
-            tag,
-            "FEBio cannot read a contact that is written with two tags and has no parameter between them",
-            "Write one tag that ends with />, or give a parameter.",
-        )
+        seen = "FEBio cannot read a contact that is written with two tags and has no parameter between them"
+        yield error("empty-contact", tag, seen, "Write one tag that ends with />, or give a parameter.")
 
 
 def bad_value(joint: Joint) -> Iterator[Finding]:
@@ -103,7 +83,7 @@ def bad_value(joint: Joint) -> Iterator[Finding]:
         elif allowed == SWITCH and text(tag).lower() == "true":
             yield warning("switch", tag, f"<{name}> is '{text(tag)}', which FEBio reads as 0", "Write 1, or 0.")
     least, most = (joint.contact.given(name) for name in ("minaug", "maxaug"))
-    if most is not None and _number(most) < (0.0 if least is None else _number(least)):
+    if most is not None and as_number(text(most)) < (0.0 if least is None else as_number(text(least))):
         yield error("bad-value", most, "<maxaug> is less than <minaug>", "Raise <maxaug> or lower <minaug>.")
 
 
@@ -117,7 +97,7 @@ def _allowed(name: str, strict: bool) -> str:
 
 
 def _fits(tag: Element, name: str, allowed: str) -> bool:
-    value = _number(tag)
+    value = as_number(text(tag))
     if name in CHOICES:
         return chosen(text(tag), allowed.split(" or ")) is not None
     if allowed == SWITCH:
@@ -132,13 +112,6 @@ def _in_bounds(value: float, allowed: str) -> bool:
     return value <= 1.0 if allowed == FRACTION else value > 0.0 if allowed == POSITIVE else True
 
 
-def _number(tag: Element) -> float:
-    try:
-        return float(text(tag))
-    except ValueError:
-        return math.nan
-
-
 def left_out(joint: Joint) -> Iterator[Finding]:
     """Effects that a penalty of 0 leaves out."""
     if not joint.contact.kind.is_mixture:
@@ -146,12 +119,8 @@ def left_out(joint: Joint) -> Iterator[Finding]:
     for name, what in LEFT_OUT.items():
         tag = joint.contact.given(name)
         if tag is not None and joint.contact.lacks(name):
-            yield note(
-                "left-out",
-                tag,
-                f"<{name}> is 0, which leaves {what} out",
-                f"Delete <{name}> for an automatic value.",
-            )
+            seen = f"<{name}> is 0, which leaves {what} out"
+            yield note("left-out", tag, seen, f"Delete <{name}> for an automatic value.")
 
 
 def load_curve(joint: Joint) -> Iterator[Finding]:
@@ -192,19 +161,11 @@ def module(joint: Joint) -> Iterator[Finding]:
     kind, own = joint.contact.kind, joint.model.module
     tag = next(joint.model.document.all("Module"))
     if own not in MODULES:
-        yield warning(
-            "module",
-            tag,
-            f"'{own}' is not a module of FEBio 4.11: FEBio stops without a plugin that provides it",
-            f"Use one of {', '.join(kind.modules)}.",
-        )
+        seen = f"'{own}' is not a module of FEBio 4.11: FEBio stops without a plugin that provides it"
+        yield warning("module", tag, seen, f"Use one of {', '.join(kind.modules)}.")
     elif "solid" not in MODULES[own]:
-        yield error(
-            "module",
-            tag,
-            f"module '{own}' has no displacements, and contact has no effect",
-            f"Use one of {', '.join(kind.modules)}.",
-        )
+        seen = f"module '{own}' has no displacements, and contact has no effect"
+        yield error("module", tag, seen, f"Use one of {', '.join(kind.modules)}.")
     elif own not in kind.modules:
         yield error(
             "module",
@@ -220,12 +181,8 @@ def material(joint: Joint) -> Iterator[Finding]:
     for side in joint.sides:
         lost = [k for k, m in enumerate(side.materials) if m is None and side.found[k]]
         if lost:
-            yield error(
-                "no-material",
-                side.surface.tag,
-                f"the elements behind surface '{side.surface.name}' have no material",
-                "Name their part and material in <MeshDomains>.",
-            )
+            seen = f"the elements behind surface '{side.surface.name}' have no material"
+            yield error("no-material", side.surface.tag, seen, "Name their part and material in <MeshDomains>.")
 
 
 def not_exchanged(joint: Joint) -> Iterator[Finding]:
@@ -233,12 +190,8 @@ def not_exchanged(joint: Joint) -> Iterator[Finding]:
     kind = joint.contact.kind
     if not kind.solvent and all(side.porous for side in joint.sides):
         what = "fluid and solutes" if joint.primary.solutes & joint.secondary.solutes else "fluid"
-        yield note(
-            "impermeable",
-            joint.contact.tag,
-            f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are impermeable",
-            "Use sliding-mixture if the bodies shall exchange it.",
-        )
+        seen = f"both bodies hold {what}, and {kind.name} transmits traction alone: the surfaces are impermeable"
+        yield note("impermeable", joint.contact.tag, seen, "Use sliding-mixture if the bodies shall exchange it.")
     elif kind.solvent and not kind.solutes and joint.primary.solutes & joint.secondary.solutes:
         yield note(
             "impermeable",
@@ -255,34 +208,24 @@ def ambient_solute(joint: Joint) -> Iterator[Finding]:
         named = tag.get("sol")
         there = ", ".join(map(str, model.solute_numbers)) or "none"
         if named is not None and named not in model.solutes:
-            yield error(
-                "ambient-solute",
-                tag,
-                f"<{tag.tag}> is for solute {named}, which the model does not have; there is {there}",
-                "Correct the attribute sol.",
-            )
+            seen = f"<{tag.tag}> is for solute {named}, which the model does not have; there is {there}"
+            yield error("ambient-solute", tag, seen, "Correct the attribute sol.")
         elif named is None and joint.contact.kind.is_mixture and len(model.solute_numbers) != 1:
-            yield error(
-                "ambient-solute",
-                tag,
-                f"<{tag.tag}> does not name its solute; there is {there}",
-                f'Write one <{tag.tag} sol="..."> for each solute.',
-            )
+            seen = f"<{tag.tag}> does not name its solute; there is {there}"
+            yield error("ambient-solute", tag, seen, f'Write one <{tag.tag} sol="..."> for each solute.')
 
 
 def negative_in_time(joint: Joint) -> Iterator[Finding]:
     """Values that are never negative and that a load curve takes below zero."""
     for tag in (tag for name in NEVER_NEGATIVE for tag in children(joint.contact.tag, name)):
-        if tag.get("lc") in joint.model.curves and _number(tag) >= 0.0:
+        if tag.get("lc") in joint.model.curves and as_number(text(tag)) >= 0.0:
             least = float(joint.model.history(tag)[:, 1].min(initial=0.0))
             if least < 0.0:
-                yield error(
-                    "bad-value",
-                    tag,
+                seen = (
                     f"<{tag.tag}> times its load curve falls to {short(least)}; {NEVER_NEGATIVE[str(tag.tag)]} is "
-                    "never negative",
-                    "Correct the load curve.",
+                    "never negative"
                 )
+                yield error("bad-value", tag, seen, "Correct the load curve.")
 
 
 def given_twice(joint: Joint) -> Iterator[Finding]:
@@ -291,12 +234,8 @@ def given_twice(joint: Joint) -> Iterator[Finding]:
     for tag in children(joint.contact.tag):
         key = (str(tag.tag), _solute_meant(joint, tag))
         if key in first:
-            yield error(
-                "given-twice",
-                tag,
-                f"<{tag.tag}>{key[1]} is given twice, first in line {place(first[key]).line}; one has no effect",
-                "Delete one of them.",
-            )
+            seen = f"<{tag.tag}>{key[1]} is given twice, first in line {place(first[key]).line}; one has no effect"
+            yield error("given-twice", tag, seen, "Delete one of them.")
         first.setdefault(key, tag)
 
 
@@ -313,13 +252,9 @@ def no_duration(joint: Joint) -> Iterator[Finding]:
     """Analysis steps that end as they begin."""
     for control in joint.model.controls:
         found = control.find("step_size")
-        if found is not None and not _number(found) > 0.0:
-            yield error(
-                "time-step",
-                found,
-                f"<step_size> is '{text(found)[:40]}': the analysis step has no duration without a positive number",
-                "Give a positive number.",
-            )
+        if found is not None and not as_number(text(found)) > 0.0:
+            seen = f"<step_size> is '{text(found)[:40]}': the analysis step has no duration without a positive number"
+            yield error("time-step", found, seen, "Give a positive number.")
 
 
 def symmetric_tangent(joint: Joint) -> Iterator[Finding]:
@@ -357,12 +292,8 @@ def without_friction(joint: Joint) -> Iterator[Finding]:
     for name in ("contact_frac", "smooth_fls", "fric_penalty", "tangential_penalty"):
         tag = joint.contact.given(name)
         if tag is not None and name in joint.contact.kind.parameters and not joint.contact.has_friction:
-            yield note(
-                "no-friction",
-                tag,
-                f"<{name}> has no effect: this contact has no friction",
-                "Give <fric_coeff>, or delete it.",
-            )
+            seen = f"<{name}> has no effect: this contact has no friction"
+            yield note("no-friction", tag, seen, "Give <fric_coeff>, or delete it.")
 
 
 def linear_solver(joint: Joint) -> Iterator[Finding]:
@@ -370,18 +301,15 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     if not joint.contact.kind.is_mixture:
         return
     has_multipliers = joint.contact.method == METHODS.index("LAGMULT")
-    for control in joint.model.controls:
-        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
-            kind = str(tag.get("type"))
-            if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
-                why = "solves symmetric matrices only, and the matrix of this contact is not symmetric"
-            elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
-                why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
-            else:
-                continue
-            yield warning(
-                "linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso, mkl_dss or superlu_mt."
-            )
+    for tag in joint.model.of_solvers("linear_solver"):
+        kind = str(tag.get("type"))
+        if kind in SYMMETRIC_SOLVERS and not joint.contact.on("symmetric_stiffness"):
+            why = "solves symmetric matrices only, and the matrix of this contact is not symmetric"
+        elif kind in (*SYMMETRIC_SOLVERS, *ITERATIVE_SOLVERS) and has_multipliers:
+            why = "may find no solution: <laugon>LAGMULT</laugon> puts zeros on the diagonal of the matrix"
+        else:
+            continue
+        yield warning("linear-solver", tag, f"the linear solver '{kind}' {why}", "Use pardiso, mkl_dss or superlu_mt.")
 
 
 def reformations(joint: Joint) -> Iterator[Finding]:
@@ -389,13 +317,9 @@ def reformations(joint: Joint) -> Iterator[Finding]:
     for control in joint.model.controls:
         for solver in children(control, "solver"):
             found = solver.find("max_refs")
-            if found is not None and 0.0 < _number(found) < FEW_REFORMATIONS:
-                yield note(
-                    "max-refs",
-                    found,
-                    f"<max_refs> is {text(found)}: a moving edge of contact may need more",
-                    "Set it to 25.",
-                )
+            if found is not None and 0.0 < as_number(text(found)) < FEW_REFORMATIONS:
+                seen = f"<max_refs> is {text(found)}: a moving edge of contact may need more"
+                yield note("max-refs", found, seen, "Set it to 25.")
 
 
 RULES = (

@@ -1,22 +1,19 @@
 """Rules on surfaces: which way they face, and what they belong to."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from harness.arrays import Ids, Mask
 from harness.preflight import rays
 from harness.preflight.finding import Finding, error, note, warning
 from harness.preflight.sides import Joint, Side, sample
 
 SHARP = np.cos(np.radians(60.0))
 """Cosine of the angle between the normals of neighbouring facets from which the edge between them is sharp."""
-OPPOSED = 0.1
-"""Minus the cosine of the angle between the normals of two facets from which they can touch each other."""
+OPPOSED = 0.1  # minus the cosine of the angle between the normals of two facets from which they can touch each other
 
 
 def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
@@ -24,12 +21,9 @@ def facet_of_no_element(joint: Joint) -> Iterator[Finding]:
     for side in joint.sides:
         lost = np.flatnonzero(~side.found)
         if len(lost) and not _on_shells(side):
-            yield error(
-                "facet-of-no-element",
-                side.surface.facet_tags[lost[0]],
-                f"surface '{side.surface.name}' has {_facets(len(lost))} on the face of no solid element",
-                "Select the surface again on the present mesh: a changed mesh has other node numbers.",
-            )
+            seen = f"surface '{side.surface.name}' has {_facets(len(lost))} on the face of no solid element"
+            cure = "Select the surface again on the present mesh: a changed mesh has other node numbers."
+            yield error("facet-of-no-element", side.surface.facet_tags[lost[0]], seen, cure)
 
 
 def shell_facets(joint: Joint) -> Iterator[Finding]:
@@ -45,25 +39,18 @@ def shell_facets(joint: Joint) -> Iterator[Finding]:
                 f"<shell_bottom_{name}> moves them to the back faces, one thickness away.",
             )
         elif bottom is not None and joint.contact.on(f"shell_bottom_{name}") and side.found.all():
-            yield error(
-                "shell-bottom",
-                bottom,
-                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; "
-                "the run stops",
-                f"Delete <shell_bottom_{name}>.",
+            seen = (
+                f"<shell_bottom_{name}> is set, but surface '{side.surface.name}' lies on solid elements; the run stops"
             )
+            yield error("shell-bottom", bottom, seen, f"Delete <shell_bottom_{name}>.")
 
 
 def empty_surface(joint: Joint) -> Iterator[Finding]:
     """Surfaces without facets."""
     for side in joint.sides:
         if not len(side.surface.corners):
-            yield error(
-                "empty-surface",
-                side.surface.tag,
-                f"surface '{side.surface.name}' has no facets; FEBio stops",
-                "Select the faces that come into contact.",
-            )
+            seen = f"surface '{side.surface.name}' has no facets; FEBio stops"
+            yield error("empty-surface", side.surface.tag, seen, "Select the faces that come into contact.")
 
 
 def flat_facet(joint: Joint) -> Iterator[Finding]:
@@ -74,12 +61,9 @@ def flat_facet(joint: Joint) -> Iterator[Finding]:
         if len(flat) or len(thin):
             which = int((flat if len(flat) else thin)[0])
             what = "has no area" if len(flat) else "belongs to an element of no volume"
-            yield error(
-                "flat-facet",
-                side.surface.facet_tags[which],
-                f"a facet of surface '{side.surface.name}' {what}",
-                "Repair the mesh: nodes coincide or elements are collapsed.",
-            )
+            seen = f"a facet of surface '{side.surface.name}' {what}"
+            cure = "Repair the mesh: nodes coincide or elements are collapsed."
+            yield error("flat-facet", side.surface.facet_tags[which], seen, cure)
 
 
 def inverted_facets(joint: Joint) -> Iterator[Finding]:
@@ -92,13 +76,11 @@ def inverted_facets(joint: Joint) -> Iterator[Finding]:
         cure = "List the nodes of these facets counter-clockwise as seen from outside the body"
         if flipped:
             cure = f"Delete <flip_{name}>: the facets face outward without it"
-        yield error(
-            "inverted-facets",
-            side.surface.facet_tags[wrong[0]],
+        seen = (
             f"surface '{side.surface.name}' has {_facets(len(wrong))} facing into the body: the contact finds "
-            "nothing there",
-            f"{cure}.",
+            "nothing there"
         )
+        yield error("inverted-facets", side.surface.facet_tags[wrong[0]], seen, f"{cure}.")
 
 
 def inner_facets(joint: Joint) -> Iterator[Finding]:
@@ -122,20 +104,12 @@ def shared_facets(joint: Joint) -> Iterator[Finding]:
     shared = f"surfaces '{pair.primary.name}' and '{pair.secondary.name}' have {_facets(common)} in common"
     inside = any(len(found) > 1 for side in joint.sides for found in side.behind)
     if common and joint.contact.kind.is_mixture and not inside:
-        yield note(
-            "self-contact",
-            pair.tag,
-            f"{shared}, which may be in contact with each other: distances were not checked",
-            "None if the body folds onto itself.",
-        )
+        seen = f"{shared}, which may be in contact with each other: distances were not checked"
+        yield note("self-contact", pair.tag, seen, "None if the body folds onto itself.")
         return
     if common:
-        yield error(
-            "shared-facets",
-            pair.tag,
-            f"{shared}, where nothing can slide",
-            "Name the surface of the other body.",
-        )
+        seen = f"{shared}, where nothing can slide"
+        yield error("shared-facets", pair.tag, seen, "Name the surface of the other body.")
         return
     nodes = np.intersect1d(pair.primary.corners, pair.secondary.corners)
     if len(nodes):
@@ -173,22 +147,15 @@ def facing(joint: Joint) -> Iterator[Finding]:
     pair = joint.contact.pair
     surfaces = f"surfaces '{pair.primary.name}' and '{pair.secondary.name}'"
     if _opposed(*joint.sides):
-        yield note(
-            "facing",
-            pair.tag,
-            f"{surfaces} are not opposite each other at the start: contact needs a sideways movement",
-            "None if a body moves in this way.",
-        )
+        seen = f"{surfaces} are not opposite each other at the start: contact needs a sideways movement"
+        yield note("facing", pair.tag, seen, "None if a body moves in this way.")
         return
     one, two = (side.areas.sum(axis=0) for side in joint.sides)
     same = float(one @ two) > 0.3 * float(np.linalg.norm(one) * np.linalg.norm(two))
     where = "point the same way" if same else "do not face each other"
-    yield error(
-        "facing",
-        pair.tag,
-        f"{surfaces} {where}: no facet of one surface faces a facet of the other, and there is no contact",
-        "One surface is probably on the wrong side of its body. Select the faces that face each other.",
-    )
+    seen = f"{surfaces} {where}: no facet of one surface faces a facet of the other, and there is no contact"
+    cure = "One surface is probably on the wrong side of its body. Select the faces that face each other."
+    yield error("facing", pair.tag, seen, cure)
 
 
 def side_faces(joint: Joint) -> Iterator[Finding]:
@@ -215,12 +182,11 @@ def side_faces(joint: Joint) -> Iterator[Finding]:
 # ---- geometry ----
 
 
-def _sees(side: Side, other: Side) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+def _sees(side: Side, other: Side) -> tuple[Ids, Mask]:
     """Some facets of a side, and which of them have a facet of the other side in front, or behind in overlap."""
     targets = rays.triangles(other.corners)
     pick = sample(len(side.centres), len(targets))
-    hits = side.look_at(targets, side.centres[pick], side.normals[pick])
-    return pick, np.asarray(hits.triangle >= 0)
+    return pick, np.isfinite(side.look_at(targets, side.centres[pick], side.normals[pick]))
 
 
 def _opposed(one: Side, two: Side) -> bool:
@@ -229,7 +195,7 @@ def _opposed(one: Side, two: Side) -> bool:
     return bool((first @ second.T < -OPPOSED).any())
 
 
-def _patches(side: Side) -> NDArray[np.int64]:
+def _patches(side: Side) -> Ids:
     """Number of the smooth patch that each facet belongs to: patches end at sharp convex edges."""
     one, two = _neighbours(side)
     flat = np.einsum("ei,ei->e", side.normals[one], side.normals[two]) > SHARP
@@ -241,7 +207,7 @@ def _patches(side: Side) -> NDArray[np.int64]:
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
 
 
-def _neighbours(side: Side) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _neighbours(side: Side) -> tuple[Ids, Ids]:
     """Pairs of facets that share an edge."""
     corners = side.surface.corners
     ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2), axis=2)

@@ -1,7 +1,5 @@
 """Rules on ties: what would not be tied, and what is held twice."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 
@@ -15,24 +13,20 @@ from harness.preflight.model import METHODS
 from harness.preflight.rules import cohesive, settings, surfaces
 from harness.preflight.rules.motion import held_axes
 from harness.preflight.sides import DEFAULT_RADIUS, Joint, sample
-from harness.preflight.xml_file import children
 
 ITERATIVE = (*settings.ITERATIVE_SOLVERS, "cg", "hypre_pcg_amg")
-AHEAD = 0.25
-"""How far ahead a facet of tied-mixture looks by default, in its longest edge."""
+AHEAD = 0.25  # how far ahead a facet of tied-mixture looks by default, in its longest edge
 
 
 def joined_facets(joint: Joint) -> Iterator[Finding]:
     """Surfaces that have facets in common."""
     one, two = ({tuple(sorted(set(row))) for row in side.surface.corners.tolist()} for side in joint.sides)
     if one & two:
-        yield error(
-            "shared-facets",
-            joint.contact.pair.tag,
+        seen = (
             f"surfaces '{joint.contact.pair.primary.name}' and '{joint.contact.pair.secondary.name}' have "
-            f"{len(one & two)} facets in common, which are already joined",
-            "Name the surface of the other body.",
+            f"{len(one & two)} facets in common, which are already joined"
         )
+        yield error("shared-facets", joint.contact.pair.tag, seen, "Name the surface of the other body.")
 
 
 def turned_away(joint: Joint) -> Iterator[Finding]:
@@ -42,14 +36,12 @@ def turned_away(joint: Joint) -> Iterator[Finding]:
     turned = joint.facing().turned
     if turned:
         flips = " and ".join(f"<flip_{name}>1</flip_{name}>" for name in turned)
-        yield error(
-            "untied",
-            joint.contact.pair.tag,
+        seen = (
             f"no facet of surface '{joint.contact.pair.primary.name}' has surface "
             f"'{joint.contact.pair.secondary.name}' opposite it: the surfaces on shells face away from each other, "
-            "and nothing is tied",
-            f"Set {flips}.",
+            "and nothing is tied"
         )
+        yield error("untied", joint.contact.pair.tag, seen, f"Set {flips}.")
 
 
 def untied(joint: Joint) -> Iterator[Finding]:
@@ -87,7 +79,7 @@ def _gaps_and_limits(joint: Joint) -> tuple[Array, Array]:
     """Gaps at the centres of facets of the primary surface, and how large they may be; NaN where one sees nothing."""
     side, targets = joint.primary, rays.triangles(joint.secondary.facing_corners)
     pick = sample(len(side.centres), len(targets))
-    gaps = side.look_at(targets, side.centres[pick], side.normals[pick]).distance
+    gaps = side.look_at(targets, side.centres[pick], side.normals[pick])
     ours = joint.contact.kind.name == TIED
     given = joint.contact.value("search_radius", 0.0 if ours else DEFAULT_RADIUS)
     if joint.contact.kind.name in ANY_DISTANCE:
@@ -116,13 +108,11 @@ def held_nodes(joint: Joint) -> Iterator[Finding]:
     shared = [np.intersect1d(own, other.pair.primary.corners) for other in others]
     count = len(np.unique(np.concatenate(shared))) if shared else 0
     if count and contact.method == METHODS.index("LAGMULT"):
-        yield warning(
-            "held-twice",
-            contact.pair.tag,
+        seen = (
             f"{count} nodes of the primary surface belong to another tie too. Both ties hold them, and the shares of "
-            "their multipliers in the load are arbitrary",
-            "Make one surface of both, or use PENALTY or AUGLAG.",
+            "their multipliers in the load are arbitrary"
         )
+        yield warning("held-twice", contact.pair.tag, seen, "Make one surface of both, or use PENALTY or AUGLAG.")
 
 
 def rigid_primary(joint: Joint) -> Iterator[Finding]:
@@ -131,13 +121,11 @@ def rigid_primary(joint: Joint) -> Iterator[Finding]:
         return
     nodes = [len(np.unique(side.surface.corners)) for side in joint.sides]
     if nodes[0] > nodes[1]:
-        yield warning(
-            "rigid-primary",
-            joint.contact.pair.tag,
+        seen = (
             f"the primary surface is rigid and has {nodes[0]} nodes for {nodes[1]} of the secondary one: it has more "
-            "conditions than the secondary nodes can meet",
-            "Exchange <primary> and <secondary>.",
+            "conditions than the secondary nodes can meet"
         )
+        yield warning("rigid-primary", joint.contact.pair.tag, seen, "Exchange <primary> and <secondary>.")
 
 
 def linear_solver(joint: Joint) -> Iterator[Finding]:
@@ -149,15 +137,11 @@ def linear_solver(joint: Joint) -> Iterator[Finding]:
     why = (
         "<laugon>LAGMULT</laugon> makes the matrix indefinite" if has_multipliers else "the automatic penalty is stiff"
     )
-    for control in joint.model.controls:
-        for tag in (found for solver in children(control, "solver") for found in children(solver, "linear_solver")):
-            if tag.get("type") in ITERATIVE:
-                yield warning(
-                    "linear-solver",
-                    tag,
-                    f"the linear solver '{tag.get('type')}' may find no solution: {why}",
-                    "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000.",
-                )
+    for tag in joint.model.of_solvers("linear_solver"):
+        if tag.get("type") in ITERATIVE:
+            seen = f"the linear solver '{tag.get('type')}' may find no solution: {why}"
+            cure = "Use pardiso, mkl_dss or superlu_mt, or PENALTY with <auto_penalty> 1 and <penalty> 1000."
+            yield warning("linear-solver", tag, seen, cure)
 
 
 ON_TEXT = (

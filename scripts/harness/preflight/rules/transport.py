@@ -1,7 +1,5 @@
 """Rules on transport: convection against the mesh, and time steps against it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 
@@ -12,8 +10,7 @@ from harness.preflight.finding import Finding, note, short, warning
 from harness.preflight.sides import SOLVENT, Joint, Side
 from harness.preflight.xml_file import Element, children, optional_number, text
 
-LARGEST_PECLET = 2.0
-"""Element Peclet number from which linear elements oscillate."""
+LARGEST_PECLET = 2.0  # element Peclet number from which linear elements oscillate
 SMALLEST_STEP = 1.0 / 6.0
 """d dt/h^2 below which a sudden front undershoots with linear elements and the consistent capacity of FEBio."""
 
