@@ -18,7 +18,7 @@ from studies.price import table
 SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"
 """Where the names of devices stand."""
 ALL, NONE = "all", "none"
-ACTED = re.compile(r"(?:Number of actions of each solver device|solver device): (.*)\.$", re.MULTILINE)
+ACTED = re.compile(r"(?:Number of actions of each solver device: |: solver device )(.*)\.$", re.MULTILINE)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from studies.pages import reported_results, scene_results
 from studies.pages.scene_results import Results, Row
 from studies.synthetic_scenes import collection_of_scenes, comparison, drawn_scenes, scenes_of_files
 from studies.synthetic_scenes.comparison import Written
+from studies.synthetic_scenes.random_bodies import SCENES as RANDOM
 from studies.synthetic_scenes.reported.kinds_of_scene import SCENES as REPORTED
 from studies.synthetic_scenes.varied_scenes import SCENES as VARIED
 
@@ -30,6 +31,8 @@ class Collection(str, Enum):
     """Kinds of model that users report."""
     VARIED = "varied"
     """Reported scenes with random materials, contacts and solvers, `seed-000` to `seed-999`."""
+    BODIES = "bodies"
+    """Bodies with random shapes and meshes, `seed-000` to `seed-999`."""
 
 
 @dataclass(frozen=True)
@@ -65,12 +68,10 @@ STUDIES: Mapping[Collection, Study] = {
         reported_results.summary,
         reported_results.table,
     ),
-    Collection.VARIED: Study(
-        VARIED,
-        tuple(reported_results.WAYS),
-        None,
-        {},
-        reported_results.compared,
-        reported_results.table,
-    ),
+    **{
+        collection: Study(
+            scenes, tuple(reported_results.WAYS), None, {}, reported_results.compared, reported_results.table
+        )
+        for collection, scenes in ((Collection.VARIED, VARIED), (Collection.BODIES, RANDOM))
+    },
 }

@@ -33,9 +33,9 @@ def synthetic_scenes(
 ) -> None:
     """Run each scene with FEBio's interface, converted, and with the penalties deleted.
 
-    The command also runs the scenes `blocks` with the predictor. The scenes `varied` are random; `--only seed-01` runs
-    the ten scenes seed-010 to seed-019. The command keeps runs of the same model, programs and limit that are already
-    in the folder, and therefore continues after an interruption.
+    The command also runs the scenes `blocks` with the predictor. The scenes `varied` and `bodies` are random;
+    `--only seed-01` runs the ten scenes seed-010 to seed-019. The command keeps runs of the same model, programs and
+    limit that are already in the folder, and therefore continues after an interruption.
 
     The exit code is 0 if sliding-mixture completes all runs of the scenes that FEBio's interface completes.
     """
