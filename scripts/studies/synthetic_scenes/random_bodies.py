@@ -28,7 +28,7 @@ RELIEFS: Mapping[str, Callable[[Nodes], Nodes]] = {
     "dome": lambda u: u[..., 0] ** 2 + u[..., 1] ** 2,
     "saddle": lambda u: u[..., 0] ** 2 - u[..., 1] ** 2,
     "roof": lambda u: np.abs(u[..., 0]),
-    "wave": lambda u: 0.5 * np.sin(3.0 * u[..., 0]),
+    "wave": lambda u: 0.5 * np.sin(np.pi * u[..., 0]),
     "lean": lambda u: 0.3 * u[..., 0],
 }
 """Heights of a surface by name, for positions (..., 2) from -1 to 1."""
