@@ -81,12 +81,13 @@ UNTIMED = (
 """Times do not count in these, so that two runs may go on at a time."""
 TIMED = (
     Step("gallery", ("gallery.json",), (("gallery", *_DOCS),), 0.0, alone=True),
-    Step("friction-cost", ("friction-cost.csv",), (("friction-cost", *_DOCS),)),
-    Step("cost", ("cost.csv",), (("cost", "--docs", "--folder", "{folder}"),)),
+    Step("friction-cost", ("friction-cost.csv",), (("friction-cost", *_DOCS),), alone=True),
+    Step("cost", ("cost.csv",), (("cost", "--docs", "--folder", "{folder}"),), alone=True),
     Step(
         "price",
         ("price-joints.csv", "price-effects.csv", "price-comparison.csv"),
         (("price", *_ON_THE_PAGE, "--docs", "--folder", "{folder}"),),
+        alone=True,
     ),
     Step(
         "price-matrices",

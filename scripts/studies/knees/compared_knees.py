@@ -23,8 +23,8 @@ from harness.run.runner import Runner, RunResult
 from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.stamps import at_limit
 
-FACTORS = (1.0, 10.0, 100.0)
-"""Of FEBio's automatic penalties; 0 stands for the plugin's defaults."""
+FACTORS = {Size.COARSE: (1.0, 10.0, 100.0), Size.SMALL: (1.0, 10.0, 100.0), Size.MEDIUM: (1.0, 10.0)}
+"""Of FEBio's automatic penalties, by size; 0 stands for the plugin's defaults."""
 SCENES = {
     Kind.ELASTIC: (
         (Bodies.ELASTIC, Load.STANCE, Size.SMALL),
@@ -49,7 +49,7 @@ WAYS = {
 
 def knees(kind: Kind, only: str = "") -> list[tuple[Knee, float]]:
     """The knees of whose name `only` is a part, with factors of their penalties; the plugin's first in each scene."""
-    made = [(_knee(*scene, factor), factor) for scene in SCENES[kind] for factor in (0.0, *FACTORS)]
+    made = [(_knee(*scene, factor), factor) for scene in SCENES[kind] for factor in (0.0, *FACTORS[scene[2]])]
     return [(knee, factor) for knee, factor in made if only in knee.name]
 
 

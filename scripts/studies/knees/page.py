@@ -36,7 +36,7 @@ def _runs() -> list[KneeRun]:
 def limits(runs: Sequence[KneeRun]) -> str:
     """Which sizes were not run, and what the others do not show."""
     missing = [f"`{size.value}`" for size in Size if size.value not in {run.size for run in runs}]
-    return f"No run has the sizes {', '.join(missing)}. {_LIMITS}"
+    return f"No run has the {'size' if len(missing) == 1 else 'sizes'} {', '.join(missing)}. {_LIMITS}"
 
 
 def headline(runs: Sequence[KneeRun]) -> str:
