@@ -38,6 +38,8 @@ class EvidencePage:
     """Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with."""
     figures: Callable[[], Mapping[str, str]]
     """Reads the sources and says what goes where."""
+    compares_sources: bool = True
+    """Whether the same commit of the plugin has to have made all sources; False where each has tables of its own."""
 
     def __call__(self) -> str:
         """The page.
@@ -51,7 +53,7 @@ class EvidencePage:
         own = figures_in(text)
         if own:
             raise DataFileError(f"{self.template}: a figure that stands in no file of results: {own}")
-        stamp = one_stamp([DATA / source for source in self.sources])
+        stamp = one_stamp([DATA / source for source in self.sources], any_commit=not self.compares_sources)
         places = {"written": WRITTEN.format(self.template.relative_to(REPOSITORY)), "stamp": str(stamp)}
         return filled(text, {**places, **self.figures()})
 
@@ -118,8 +120,8 @@ def check_together(limits: Mapping[str, float]) -> None:
         raise DataFileError(f"results were not measured in one go, which `evidence` does: {told}")
 
 
-def one_stamp(paths: list[Path]) -> Stamp:
-    """The stamp that files have in common.
+def one_stamp(paths: list[Path], *, any_commit: bool = False) -> Stamp:
+    """The stamp that files have in common; with `any_commit`, different commits of the plugin may have made them.
 
     Raises
     ------
@@ -127,7 +129,7 @@ def one_stamp(paths: list[Path]) -> Stamp:
         Where they differ.
     """
     found = {path: stamp_of(path) for path in paths}
-    if len(set(found.values())) != 1:
+    if len({str(stamp) if any_commit else stamp for stamp in found.values()}) != 1:
         told = "; ".join(f"{path.name}: {stamp}" for path, stamp in found.items())
         raise DataFileError(f"results of one page were made with different things: {told}")
     return next(iter(found.values()))

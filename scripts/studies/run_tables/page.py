@@ -32,4 +32,4 @@ def figures() -> Mapping[str, str]:
     }
 
 
-PAGE = EvidencePage("reference/runs.md", SOURCES, Path(__file__).with_name("page.md"), figures)
+PAGE = EvidencePage("reference/runs.md", SOURCES, Path(__file__).with_name("page.md"), figures, compares_sources=False)
