@@ -186,7 +186,7 @@ ModelContacts::ModelContacts(FEModel& fem)
     : fem_(fem),
       solver_(fem),
       system_(solver_),
-      devices_(contacts_),
+      devices_(fem),
       steps_(*this, newton::Helpers(solver_)),
       matrix_(system_, [this] { return equations(active()); }) {
   const auto offer = [&](const HelperSwitch& which, std::unique_ptr<newton::Helper> helper) {
@@ -250,7 +250,7 @@ std::vector<std::string> ModelContacts::complaints(ContactInModel& contact) cons
     const std::string unavailable = steps_.helpers().unavailable(which.device);
     if (one.given && one.value && !unavailable.empty()) list.push_back(name + unavailable);
   }
-  const std::string complaint = devices_.complaint(contact);
+  const std::string complaint = devices_complaint(fem_, contact.bound().parameters().helpers.devices);
   if (!complaint.empty()) list.push_back(complaint);
   return list;
 }
@@ -269,7 +269,7 @@ void ModelContacts::activate(ContactInModel& contact) {
 
 void ModelContacts::prepare_step(ContactInModel& contact) {
   if (!steps_.prepare_step(&contact.bound())) return;
-  devices_.introduce(fem_);
+  devices_.introduce();
   ambient_.begin_step(solver_);
 }
 
@@ -340,7 +340,7 @@ void ModelContacts::on_callback(unsigned int when) {
   }
   if (when == CB_TIMESTEP_FAILED) {
     reduce_penalties(fem_, contacts, reducible_);
-    devices_.fail_step(fem_, will_retry(fem_) && solver_.is_newton());
+    devices_.fail_step(will_retry(fem_) && solver_.is_newton());
   }
   if (when == CB_SOLVED) {
     say(fem_, reducible_.summary());

@@ -9,30 +9,31 @@
 
 class FEModel;
 
+/// The devices that the contacts and ties of a model allow.
+newton::DeviceSet chosen_devices(FEModel& fem);
+/// A fault of the <solver_devices> of a contact or tie, `own`, in combination with those of all others, as a sentence;
+/// empty if there is none.
+std::string devices_complaint(FEModel& fem, const Given<std::string>& own);
+
 /// Decides which devices may act, and counts their actions.
 class ModelDevices {
  public:
-  /// Keeps a reference. `contacts`: all contacts of the model.
-  explicit ModelDevices(const std::vector<ContactInModel*>& contacts) : contacts_(contacts) {}
+  /// Keeps a reference.
+  explicit ModelDevices(FEModel& fem) : fem_(fem) {}
 
   /// True if a device may act in the present step.
   bool is_on(newton::Device device) const;
-  /// The fault of a contact's device settings in combination with those of other contacts, as a sentence; empty if
-  /// there is none.
-  std::string complaint(ContactInModel& contact) const;
   /// Logs the active devices in the first step.
-  void introduce(FEModel& fem);
+  void introduce();
   /// Counts the devices that a new matrix uses. `has_operations`: true if the matrix has row operations.
   void count_matrix(const std::vector<ContactInModel*>& contacts, bool has_operations);
   /// Notes that a step has failed: disables all devices for the next attempt, and enables them for the attempt after
   /// that.
-  void fail_step(FEModel& fem, bool is_tried_again);
+  void fail_step(bool is_tried_again);
   newton::DeviceRecord& record() { return record_; }
 
  private:
-  newton::DeviceSet chosen() const;
-
-  const std::vector<ContactInModel*>& contacts_;
+  FEModel& fem_;
   newton::DeviceRecord record_;
   bool are_introduced_ = false;
 };

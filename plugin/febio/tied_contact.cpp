@@ -7,6 +7,7 @@
 #include "contact/tie/tie_output.h"
 #include "host/augmentation.h"
 #include "host/cohesive_zone.h"
+#include "model_devices.h"
 #include "offered_parameters.h"
 #include "present_step.h"
 #include "solver/febio/febio_system.h"
@@ -29,15 +30,13 @@ bool close_gaps(const TieSetup& setup, ContactSurfaces& surfaces) {
   return before != nullptr;
 }
 
-/// True if all contacts of a model are ties whose <solver_devices> allow it, and nothing else makes FEBio renew the
-/// matrix profile. A tie that can break has a sliding contact.
+/// True if all contacts of a model are ties, nothing else makes FEBio renew the matrix profile, and the device is on.
+/// A tie that can break has a sliding contact.
 bool has_constant_profile(FEModel& fem) {
   for (int i = 0; i < fem.SurfacePairConstraints(); ++i) {
-    const auto* const tie = dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i));
-    if (tie == nullptr || !newton::has(newton::named_devices(tie->devices()).set, newton::Device::constant_profile))
-      return false;
+    if (dynamic_cast<const FEMixtureTie*>(fem.SurfacePairConstraint(i)) == nullptr) return false;
   }
-  return fem.NonlinearConstraints() == 0;
+  return fem.NonlinearConstraints() == 0 && newton::has(chosen_devices(fem), newton::Device::constant_profile);
 }
 
 }  // namespace
@@ -73,8 +72,10 @@ FEMixtureTie::FEMixtureTie(FEModel* fem)
 bool FEMixtureTie::Init() {
   dofs_.init();
   if (!ambient_concentrations_.empty()) parameters_.has_ambient = true;
-  const std::vector<std::string> wrong = find_load_curves(
+  std::vector<std::string> wrong = find_load_curves(
       *this, [this](const auto& take) { for_each_tie_parameter(parameters_, take); });
+  const std::string clash = devices_complaint(*GetFEModel(), parameters_.helpers.devices);
+  if (!clash.empty()) wrong.push_back(clash);
   log_.errors(wrong);
   if (!wrong.empty() || !surfaces_.init(parameters_)) return false;
   if (!take_shell_bottoms(surfaces_, parameters_, log_) || !setup_.check()) return false;

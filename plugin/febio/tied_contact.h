@@ -37,8 +37,6 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   FESurface* GetSecondarySurface() override { return &surfaces_[mixture_contact::Side::secondary]; }
   bool UseNodalIntegration() override { return false; }
 
-  /// <solver_devices>.
-  const std::string& devices() const { return parameters_.helpers.devices.value; }
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
   bool breaks_bonds(double error) override;
   void step_solved() override;

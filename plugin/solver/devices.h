@@ -1,7 +1,7 @@
 /// The devices of the solver: numerical methods that save iterations or matrix entries, or prevent failures.
 ///
 /// Each device has a name and a switch, and the log reports how often it has acted. A failed step is repeated without
-/// devices, except the search after a failure.
+/// devices, except the search after a failure and the constant profile, which changes no result.
 #pragma once
 
 #include "indexing/entries.h"
@@ -43,7 +43,9 @@ inline constexpr std::array device_names{"loads_as_unknowns",
 inline const char* name(Device device) { return indexing::at(device_names, static_cast<int>(device)); }
 
 /// True for a device that acts in repeated attempts at a step, in which the others do not.
-inline bool acts_after_failure(Device device) { return device == Device::search_after_failure; }
+inline bool acts_after_failure(Device device) {
+  return device == Device::search_after_failure || device == Device::constant_profile;
+}
 
 using DeviceSet = std::bitset<device_names.size()>;
 

@@ -10,6 +10,7 @@ import febio_runs
 import numpy as np
 import pytest
 from scenes.cam import Cam
+from scenes.tied_columns import column
 
 from harness.conversion import convert
 from harness.models.parts import Param, TimeStepper
@@ -73,6 +74,17 @@ def test_a_device_that_does_not_exist_is_an_error_that_names_those_that_do(runne
     assert not report.normal
     assert '<solver_devices> names "magic"; allowed: "all", "none", or some of the names' in said
     assert all(device in said for device in ablated_runs.devices())
+
+
+@pytest.mark.parametrize("other", ["tied-mixture", "sliding-mixture"])
+def test_contacts_and_ties_of_a_model_have_the_same_devices(runner, tmp_path, other):
+    document, _ = column("solid", "<solver_devices>none</solver_devices>")
+    clash = small.contact("second", "pair", other, "<solver_devices>kept_matrix</solver_devices>")
+    path = tmp_path / "clash.feb"
+    path.write_text(replace(document, contacts=(*document.contacts, clash)).text())
+    report, _ = _run(path)
+    assert not report.normal
+    assert "<solver_devices> affects the whole model" in " ".join(report.errors)
 
 
 def test_a_step_that_has_failed_is_tried_again_without_devices(runner, tmp_path):

@@ -171,6 +171,7 @@ def _pressed(draw: Draw) -> Sketch:
     kind = draw.pick(["sliding-elastic", "sliding-elastic", "sliding-facet-on-facet", "sliding-node-on-facet"])
     drive = [fixed("high-z1", "y"), moved("high-z1", "x", slide, 2), moved("high-z1", "z", -depth)]
     sides = _sides(draw, "high-z0", "low-z1")
+    turn = 0.0
     if draw.chance(0.35):
         materials["high"] = words.rigid((0.0, 0.0, high.lift + high.height / 2.0))
         turn = draw.between(0.3, 1.5) if draw.chance(0.3) else 0.0
@@ -178,7 +179,7 @@ def _pressed(draw: Draw) -> Sketch:
         drive = [held, words.shift("high", "x", slide, 2), words.shift("high", "z", -depth)]
         drive += [words.spin("high", "w", turn, 2)] if turn else []
         sides = ("low-z1", "high-z0")
-    scheme = _scheme(draw, later=slide > 0.0 or "rigid_rotation" in drive[-1])
+    scheme = _scheme(draw, later=slide > 0.0 or turn > 0.0)
     touch = Touch(*sides, kind=kind, params=_parameters(draw, kind))
     return Sketch(bodies, materials, (touch,), (fixed("low-z0"), *drive), scheme)
 
