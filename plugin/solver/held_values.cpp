@@ -27,6 +27,7 @@ void synchronise(Solver& solver, Place place) {
   const int equation = solver.equation(place);
   if (equation < 0 || !solver.is_newton()) return;
   const Vectors vectors = solver.vectors();
+  if (vectors.total.empty()) return;
   at(vectors.total, equation) = solver.value(place) - at(vectors.change, equation);
 }
 

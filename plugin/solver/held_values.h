@@ -17,7 +17,8 @@ bool make_free(Solver& solver, Place place);
 /// values the solver would otherwise reset it. Returns true if the value was prescribed.
 bool release_with_value(Solver& solver, Place place);
 
-/// Sets the entries of a free value in the solver's vectors to the present nodal value.
+/// Sets the entries of a free value in the solver's vectors to the present nodal value. A solver whose analysis step
+/// begins has no vectors yet, and makes them from the nodal values.
 void synchronise(Solver& solver, Place place);
 
 }  // namespace newton

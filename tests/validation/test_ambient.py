@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
+
+import febio_runs
 import numpy as np
 import pytest
+from lxml import etree
 from scenes.ambient import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
 from scenes.patches import Patches
 
 from harness.models.interface import InterfaceType
 from harness.models.parts import concentration, pressure
 from harness.post import compare
+from harness.run import engine, logdata
 
 
 def ambient(times):
@@ -52,6 +57,40 @@ def test_a_node_is_at_ambient_only_where_no_interface_has_it_in_contact(context)
     x = run.model.mesh.nodes[run.model.mesh.node_sets["slab-top"] - 1, 0]
     np.testing.assert_allclose(slab[x == 2.0], CONCENTRATION, rtol=1e-11)
     np.testing.assert_allclose(at(run, "c1", "right-bottom")[-1], CONCENTRATION, rtol=1e-11)
+    np.testing.assert_allclose(slab[x < 1.5], left, rtol=1e-5)
+    assert np.all(np.abs(slab[x < 1.5] - CONCENTRATION) > 1e-2)
+
+
+def in_two_steps(model, folder):
+    """The model in two analysis steps: the interface on the right alone, then both."""
+    document = etree.parse(model.write(folder))
+    root = document.getroot()
+    control, contact = root.find("Control"), root.find("Contact")
+    steps = etree.Element("Step")
+    for number in (1, 2):
+        step = etree.SubElement(steps, "step", id=str(number), name=f"step {number}")
+        step.extend((deepcopy(control), deepcopy(contact)))
+    left = steps.find("step[@id='1']/Contact/contact[@surface_pair='pair-1']")
+    left.getparent().remove(left)
+    control.addprevious(steps)
+    root.remove(control)
+    root.remove(contact)
+    root.insert(list(root).index(root.find("Output")), steps)
+    file = folder / f"{model.name}.feb"
+    document.write(file, encoding="utf-8", xml_declaration=True)
+    return file
+
+
+@pytest.mark.mixture_only
+def test_an_analysis_step_begins_with_contact_where_the_last_one_had_ambient_values(context, tmp_path):
+    """At the end, the slab has the values of a model in which both interfaces are there from the start."""
+    model = HalfWet(context.interface).model()
+    file = in_two_steps(model, tmp_path)
+    assert febio_runs.run(file, plugin=engine.required_plugin()).report.normal
+    found = logdata.read_history(tmp_path / model.node_file, model.node_columns)
+    slab, left = (found["c1"][-1, model.mesh.node_sets[s] - 1] for s in ("slab-top", "left-bottom"))
+    x = model.mesh.nodes[model.mesh.node_sets["slab-top"] - 1, 0]
+    np.testing.assert_allclose(slab[x == 2.0], CONCENTRATION, rtol=1e-11)
     np.testing.assert_allclose(slab[x < 1.5], left, rtol=1e-5)
     assert np.all(np.abs(slab[x < 1.5] - CONCENTRATION) > 1e-2)
 
