@@ -130,13 +130,7 @@ def test_the_data_of_the_page_are_what_the_code_gives(made, name, mesh):
         assert now.counts == RECORDED[name, mesh.value][now.interface].counts
 
 
-RETRIES = pytest.mark.xfail(reason="one step is repeated that is not repeated without friction", strict=True)
-"""What two cases miss on the fine mesh."""
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=RETRIES) if name in ("edge", "corner") else name for name in CASES]
-)
+@pytest.mark.parametrize("name", CASES)
 def test_on_the_fine_mesh_the_page_has_every_case_and_misses_no_check(name):
     """The test above tells whether its data are of today."""
     written = RECORDED[name, Fineness.FINE.value][OURS]
