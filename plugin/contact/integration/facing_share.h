@@ -9,7 +9,8 @@
 ///   one face with this c in any position. A cube on its corner has it on three faces.
 /// - The share is 0 up to c = 1/sqrt(5), where a side leans by half of its length. The sides of a soft block that is
 ///   pressed to half its height lean by 0.4.
-/// - The share grows smoothly in between, and no angle makes a pair appear or disappear abruptly. In these 9 degrees, the
+/// - The share grows smoothly in between, and no angle makes a pair appear or disappear abruptly. In these 9 degrees,
+/// the
 ///   mean normal of the nodes on a contact edge turns from one side of the body to both. A narrower interval takes more
 ///   iterations where an edge tilts under friction.
 ///
@@ -22,7 +23,7 @@ namespace mixture_contact {
 
 /// Values of c = -n1.n2 at which the share begins to grow from 0, and at which it reaches 1.
 inline constexpr double least_opposition = 0.44721359549996;  // 1/sqrt(5), rounded up
-inline constexpr double full_opposition = 0.57735026918962;  // 1/sqrt(3), rounded down
+inline constexpr double full_opposition = 0.57735026918962;   // 1/sqrt(3), rounded down
 /// The search distance ahead of a facet for parallel facets, divided by the facet's longest edge. Parallel facets
 /// farther away touch none of its nodes where surfaces bend gently, but would distort the nodal averages.
 inline constexpr double parallel_reach = 0.25;
