@@ -10,7 +10,7 @@ from scenes import pairs
 
 from harness.errors import DataFileError
 from harness.models.interface import InterfaceType
-from studies.price import effect_costs, joints, page, paired_runs, table
+from studies.price import joints, page, paired_runs, table
 from studies.price.scenes import Kind, Scene, effects_added
 
 LOG = """
@@ -94,7 +94,7 @@ def test_memory_does_not_know_of_solutes_that_are_not_shared(runner):
 
 def test_costs_are_those_of_the_run_with_the_median_share(tmp_path):
     less, more = LOG.replace("of 1.25 s", "of 2.5 s"), LOG.replace("of 1.25 s", "of 1 s")
-    costs = effect_costs.costs("solid", [more, LOG, less])
+    costs = table.costs("solid", [more, LOG, less])
     assert [cost.effect for cost in costs] == ["shared", "traction", "solvent", "solute 2"]
     assert sum(cost.part for cost in costs) == pytest.approx(costs[0].share) == pytest.approx(0.08)
     assert (costs[0].share_low, costs[0].share_high) == pytest.approx((0.04, 0.1))

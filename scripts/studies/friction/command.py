@@ -8,7 +8,7 @@ from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps
-from studies.friction import curves, curves_picture, curves_table, page, stick_picture, stick_points
+from studies.friction import curves, curves_table, page, stick_points
 from studies.friction.curves import Row
 from studies.friction.stick_points import Datum
 from studies.hard_cases import rubbing_record
@@ -68,7 +68,7 @@ def friction_benchmarks(
         console.print(f"{measure.name}: {measure.value:.2%} from what published ones span", markup=False)
     rows += curves.published_rows()
     files.write_csv(rows, Row, folder / "data" / curves_table.SOURCE, stamps.stamp(limit))
-    picture = curves_picture.draw(rows, folder / curves_picture.PICTURE)
+    picture = curves_table.draw(rows, folder / curves_table.PICTURE)
     console.print(f"Written: {folder / 'data' / curves_table.SOURCE}, {picture}")
 
 
@@ -81,5 +81,5 @@ def friction_cost(
     data = stick_points.measure(stick_points.points(), runner)
     console.print(stick_points.least_time(data), markup=False)
     files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, stamps.stamp(limit))
-    picture = stick_picture.draw(data, folder / stick_picture.PICTURE)
+    picture = stick_points.draw(data, folder / stick_points.PICTURE)
     console.print(f"Written: {folder / 'data' / stick_points.SOURCE}, {picture}")

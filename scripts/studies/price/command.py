@@ -12,9 +12,9 @@ from harness.paths import DOCS, RESULTS
 from studies import files, stamps
 from studies.options import Docs, console
 from studies.pages.evidence import DATA
-from studies.price import effect_costs, febio_matrices, joints, page, paired_runs
-from studies.price.effect_costs import EffectCost
+from studies.price import febio_matrices, joints, page, paired_runs, table
 from studies.price.scenes import Kind, Scene, effects_added
+from studies.price.table import EffectCost
 from studies.stamps import LIMIT
 
 
@@ -52,7 +52,7 @@ def price(
         rows = febio_matrices.measure(joints.SCENES, repetitions, tell)
         files.write_csv(rows, febio_matrices.Matrix, folder / page.MATRICES, stamp)
     if Part.EFFECTS in chosen:
-        costs = effect_costs.measure(effects_added(), repetitions, tell)
+        costs = table.measure(effects_added(), repetitions, tell)
         files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
     if Part.COMPARISON in chosen:
         scenes = (Scene(kind, solutes=int(kind in (Kind.SOLUTE, Kind.MULTIPHASIC))) for kind in Kind)
