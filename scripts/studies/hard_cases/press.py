@@ -10,22 +10,9 @@ import numpy as np
 from scipy.optimize import brentq
 
 from harness.arrays import Array
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.mesh import Box, Layer, Mesh, Section, assemble, conforming_column
-from harness.models.parts import (
-    Condition,
-    Curve,
-    Mixture,
-    Param,
-    Solid,
-    TimeStepper,
-    concentration,
-    displace,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    pressure,
-)
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
@@ -37,14 +24,14 @@ HOLD = tuple(1000.0 + 4000.0 * k for k in range(1, 7))
 Newton for less than rounding."""
 
 
-def stress(solid: Solid, stretch: float) -> float:
+def stress(solid: parts.Solid, stretch: float) -> float:
     """Axial Cauchy stress (MPa) of FEBio's neo-Hookean solid, confined: mu (s^2 - 1)/s + lambda ln(s)/s."""
     shear = solid.modulus / (2.0 * (1.0 + solid.poisson))
     lame = solid.modulus * solid.poisson / ((1.0 + solid.poisson) * (1.0 - 2.0 * solid.poisson))
     return float(shear * (stretch**2 - 1.0) / stretch + lame * np.log(stretch) / stretch)
 
 
-def stretches(below: Solid, above: Solid, shortening: float) -> tuple[float, float]:
+def stretches(below: parts.Solid, above: parts.Solid, shortening: float) -> tuple[float, float]:
     """Stretches of two blocks of 1 mm in series that are shortened by `shortening` (mm) together."""
 
     def other(stretch: float) -> float:
@@ -56,18 +43,18 @@ def stretches(below: Solid, above: Solid, shortening: float) -> tuple[float, flo
     return float(found), float(other(found))
 
 
-def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[Condition]:
+def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[parts.Condition]:
     """Ambient fluid pressure (MPa) and concentrations (mM) on a node set, so p~ = p - R T Phi c."""
-    held = [pressure(where, effective_pressure(sum(values), fluid))]
-    return held + [concentration(where, value, sol=number) for number, value in enumerate(values, 1)]
+    held = [parts.pressure(where, parts.effective_pressure(sum(values), fluid))]
+    return held + [parts.concentration(where, value, sol=number) for number, value in enumerate(values, 1)]
 
 
 @dataclass(frozen=True)
 class Press:
     """Two blocks of 1 mm, the upper one moved down."""
 
-    lower: Mixture = GEL
-    upper: Mixture = GEL
+    lower: parts.Mixture = GEL
+    upper: parts.Mixture = GEL
     gap: float = 0.0
     """Distance at the start, in elements of the upper block if `in_elements`, else in mm; negative for an overlap."""
     in_elements: bool = False
@@ -94,10 +81,10 @@ class Press:
     """Factor on all penalties."""
     augmented: float | None = None
     """Relative tolerance of augmentations (AUGLAG); without it there are none."""
-    extra: tuple[Param, ...] = field(default=())
+    extra: tuple[parts.Param, ...] = field(default=())
     inlet: float = 0.0
     """Fluid pressure below, MPa; none above."""
-    stepper: TimeStepper | None = None
+    stepper: parts.TimeStepper | None = None
     """Chooses the time steps instead of `times`, whose first and last entries then are the first step and the end."""
     tolerance: float = 2e-3
     """Largest error allowed of force and concentration, relative to their largest values."""
@@ -110,17 +97,17 @@ class Press:
         control, steps = timed(self.times, 2, self.newton)
         control = replace(control, stepper=self.stepper or control.stepper)
         conditions = (
-            fix("all", "xy"),
-            fix("lower-bottom", "z"),
-            displace("upper-top", "z", top, 1),
+            parts.fix("all", "xy"),
+            parts.fix("lower-bottom", "z"),
+            parts.displace("upper-top", "z", top, 1),
             *ambient_at("lower-bottom", self.below, self.inlet),
             *ambient_at("upper-top", self.above),
-            *(initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
+            *(parts.initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
         )
         joined = interface.contacts(made, self.extra, self.penalties, self.augmented)
         text = f"Hard case {self.name}: two confined blocks, the upper one moved down."
         about, materials = (self.name, text, "multiphasic"), {"lower": self.lower, "upper": self.upper}
-        curves = (Curve(self.path), steps)
+        curves = (parts.Curve(self.path), steps)
         return finished(Model(*about, made, materials, conditions, control, joined, curves), interface)
 
     def _gap(self, mesh: Fineness) -> float:

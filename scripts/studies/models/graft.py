@@ -4,24 +4,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from harness.models import blocks
+from harness.models import blocks, parts
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import disk
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Control,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    initial_pressure,
-    pressure,
-)
 from studies.models.assembly import assembled, cylinder, everywhere, graded, plane
 from studies.models.pieces import UNCLAMPED, ambient
 
@@ -35,11 +23,16 @@ HEIGHT = 2.0
 """Thickness of the cartilage and of the graft, mm."""
 CONCENTRATION = 1.0
 """Of the host at first, and of its surroundings, mM."""
-HOST = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
-GRAFT = Mixture(
-    Solid(0.3, 0.2), permeability=5e-3, porosity=0.9, solutes=(Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),)
+HOST = parts.Mixture(
+    parts.Solid(1.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),)
 )
-AMBIENT_PRESSURE = effective_pressure(CONCENTRATION)
+GRAFT = parts.Mixture(
+    parts.Solid(0.3, 0.2),
+    permeability=5e-3,
+    porosity=0.9,
+    solutes=(parts.Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),),
+)
+AMBIENT_PRESSURE = parts.effective_pressure(CONCENTRATION)
 """Effective pressure at this concentration without fluid pressure, MPa."""
 GROWTH = 1.3
 """Of the elements of the host, from the wall of the defect outwards."""
@@ -63,21 +56,21 @@ class Graft:
     outward: int = 7
     up: int = 5
     """Elements of the host from the wall outwards, and of both bodies over the height."""
-    control: Control = Control(60, 50.0)
+    control: parts.Control = parts.Control(60, 50.0)
     plot: bool = False
 
     def model(self) -> Model:
         mesh = self._mesh()
         settings = ContactSettings(extra=ambient(AMBIENT_PRESSURE, CONCENTRATION))
         conditions = (
-            fix("symmetry-x", "x"),
-            fix("symmetry-y", "y"),
-            fix("bone", "z"),
-            fix("host-side", "xy"),
-            *(pressure(where, AMBIENT_PRESSURE) for where in ("host-side", "host-top")),
-            *(concentration(where, CONCENTRATION) for where in ("host-side", "host-top")),
-            initial_concentration("host", CONCENTRATION),
-            initial_pressure("host", AMBIENT_PRESSURE),
+            parts.fix("symmetry-x", "x"),
+            parts.fix("symmetry-y", "y"),
+            parts.fix("bone", "z"),
+            parts.fix("host-side", "xy"),
+            *(parts.pressure(where, AMBIENT_PRESSURE) for where in ("host-side", "host-top")),
+            *(parts.concentration(where, CONCENTRATION) for where in ("host-side", "host-top")),
+            parts.initial_concentration("host", CONCENTRATION),
+            parts.initial_pressure("host", AMBIENT_PRESSURE),
         )
         return Model(
             "graft",

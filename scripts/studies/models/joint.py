@@ -7,22 +7,11 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.models import parts
 from harness.models.blocks import Points
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Control,
-    Curve,
-    Mixture,
-    Solid,
-    Solute,
-    displace,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    initial_pressure,
-)
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, raised, tensor
 from studies.models.pieces import UNCLAMPED, ambient
 
@@ -42,11 +31,13 @@ PERIOD, STEPS = 20.0, 20
 """Of a cycle: s, and number of time steps."""
 AMBIENT = 1.0
 """Concentration of the synovial fluid, mM, reached at the end of the first cycle."""
-CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),))
+CARTILAGE = parts.Mixture(
+    parts.Solid(1.0, 0.1), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),)
+)
 LOADING, FILLING = 1, 2
 """Numbers of the load curves."""
 
-EFFECTIVE_PRESSURE = effective_pressure(AMBIENT)
+EFFECTIVE_PRESSURE = parts.effective_pressure(AMBIENT)
 """MPa, where the concentration is `AMBIENT` and the fluid pressure 0."""
 
 SECTION = """\
@@ -91,13 +82,13 @@ class Joint:
 
     def model(self) -> Model:
         mesh, wet = self._mesh(), self.source is Source.FLUID
-        filled = (initial_pressure("upper", EFFECTIVE_PRESSURE), initial_concentration("upper", AMBIENT))
+        filled = (parts.initial_pressure("upper", EFFECTIVE_PRESSURE), parts.initial_concentration("upper", AMBIENT))
         conditions = (
-            fix("all", "z"),
-            fix("lower-bone", "xy"),
-            fix("upper-bone", "x"),
-            fix("symmetry", "x"),
-            displace("upper-bone", "y", -MOST, LOADING),
+            parts.fix("all", "z"),
+            parts.fix("lower-bone", "xy"),
+            parts.fix("upper-bone", "x"),
+            parts.fix("symmetry", "x"),
+            parts.displace("upper-bone", "y", -MOST, LOADING),
             *(() if wet else filled),
         )
         outside = ambient(EFFECTIVE_PRESSURE, AMBIENT, FILLING) if wet else ambient(0.0, 0.0)
@@ -108,9 +99,9 @@ class Joint:
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
             conditions,
-            Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED),
+            parts.Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED),
             contacts(InterfaceType.MIXTURE, mesh, ContactSettings(extra=outside)),
-            (self._loading(), *([Curve(((0.0, 0.0), (PERIOD, 1.0)))] if wet else [])),
+            (self._loading(), *([parts.Curve(((0.0, 0.0), (PERIOD, 1.0)))] if wet else [])),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),
         )
@@ -121,11 +112,11 @@ class Joint:
         upper = {} if self.source is Source.FLUID else {"upper": everywhere("upper")}
         return touching(x, self.through, GROWTH, {"all": everywhere(), **symmetry, **BONES, **upper})
 
-    def _loading(self) -> Curve:
+    def _loading(self) -> parts.Curve:
         """Approach of the bone, relative to `MOST`: from 0 to the least in half a cycle, then up and down."""
         time = PERIOD / STEPS * np.arange(STEPS // 2, self.cycles * STEPS + 1)
         approach = LEAST + (MOST - LEAST) * 0.5 * (1.0 + np.cos(2.0 * np.pi * time / PERIOD))
-        return Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
+        return parts.Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
 
 
 def rise(points: Points) -> NDArray[np.float64]:

@@ -4,19 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Curve,
-    Mixture,
-    Rigid,
-    Solid,
-    fix,
-    hold_rigid,
-    pressure,
-    push_rigid,
-)
 from studies.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
 from studies.models.pieces import hold, move_rigid, timed, with_friction
 
@@ -63,26 +54,26 @@ class PlateOnLayer:
     def model(self) -> Model:
         mesh = self._mesh()
         settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
-        load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
+        load = parts.Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
         # Tolerances are far below the first friction force, a small part of the load.
         control, steps = timed(
             TIMES, 3, displacement_tolerance=1e-5, energy_tolerance=1e-8, pressure_tolerance=1e-5, reformations=25
         )
-        slide = Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
+        slide = parts.Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
         return Model(
             self.name,
             header(self.name, ABOUT, InterfaceType.MIXTURE),
             "biphasic",
             mesh,
-            {"layer": Mixture(Solid(MODULUS), PERMEABILITY), "plate": Rigid()},
+            {"layer": parts.Mixture(parts.Solid(MODULUS), PERMEABILITY), "plate": parts.Rigid()},
             (
                 *hold("layer", "x"),
-                fix("layer", "y"),
-                fix("base", "z"),
-                pressure("base", 0.0),
-                hold_rigid("plate", "yuvw"),
+                parts.fix("layer", "y"),
+                parts.fix("base", "z"),
+                parts.pressure("base", 0.0),
+                parts.hold_rigid("plate", "yuvw"),
                 move_rigid("plate", "x", WAY, 2),
-                push_rigid("plate", "z", -LOAD, 1),
+                parts.push_rigid("plate", "z", -LOAD, 1),
             ),
             control,
             contacts(InterfaceType.MIXTURE, mesh, settings),

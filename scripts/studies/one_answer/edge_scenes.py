@@ -6,24 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from harness.arrays import Ids
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.mesh import Box, Mesh, Nodes, assemble
-from harness.models.parts import (
-    Condition,
-    Contact,
-    Control,
-    Curve,
-    Mixture,
-    Param,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    fix,
-    initial_concentration,
-    normal_load,
-    pressure,
-)
 from studies import feb
 from studies.feb import Feb
 from studies.one_answer.tet15 import with_tet15
@@ -53,20 +38,20 @@ AMBIENT = 0.5
 CELLS = {"hex8": Cells(), "hex20": Cells(4, 3, 2), "tet10": Cells(4, 3, 1), "tet15": Cells(3, 2, 1)}
 """So that no scene is large."""
 TIGHT = (
-    Param("min_residual", 1e-26),
-    Param("lstol", 0.9),
-    Param("lsmin", 0.01),
-    Param("lsiter", 5),
-    Param("diverge_reform", True),
-    Param("reform_each_time_step", True),
+    parts.Param("min_residual", 1e-26),
+    parts.Param("lstol", 0.9),
+    parts.Param("lsmin", 0.01),
+    parts.Param("lsiter", 5),
+    parts.Param("diverge_reform", True),
+    parts.Param("reform_each_time_step", True),
 )
 """Of the solver, beside its tolerances."""
-SOLUTE = Solute(1, 1e-3, 2e-3, 1.0)
+SOLUTE = parts.Solute(1, 1e-3, 2e-3, 1.0)
 
 
-def control(steps: int) -> Control:
+def control(steps: int) -> parts.Control:
     """Fixed steps at tolerances that leave next to nothing."""
-    return Control(
+    return parts.Control(
         steps,
         STEP,
         displacement_tolerance=1e-8,
@@ -110,18 +95,20 @@ class Scene:
         """FEBio's."""
         return "multiphasic" if self.solute else "biphasic"
 
-    def _material(self, modulus: float) -> Mixture:
-        return Mixture(Solid(modulus, 0.3), 1e-3, 0.8, (SOLUTE,) if self.solute else ())
+    def _material(self, modulus: float) -> parts.Mixture:
+        return parts.Mixture(parts.Solid(modulus, 0.3), 1e-3, 0.8, (SOLUTE,) if self.solute else ())
 
-    def _model(self, name: str, mesh: Mesh, conditions: tuple[Condition, ...], curves: tuple[Curve, ...]) -> Model:
+    def _model(
+        self, name: str, mesh: Mesh, conditions: tuple[parts.Condition, ...], curves: tuple[parts.Curve, ...]
+    ) -> Model:
         bodies = {SLAB: self._material(1.0), BLOCK: self._material(self.stiffness)}
         if not self.solute:
-            ambient: tuple[Param, ...] = ()
+            ambient: tuple[parts.Param, ...] = ()
         else:
-            ambient = (Param("ambient_concentration", AMBIENT, attributes={"sol": "1"}),)
+            ambient = (parts.Param("ambient_concentration", AMBIENT, attributes={"sol": "1"}),)
             held = ((SLAB, 2 * AMBIENT), (BLOCK, 0.5 * AMBIENT))
-            conditions = (*conditions, *(initial_concentration(body, value) for body, value in held))
-            conditions = (*conditions, *(concentration(f"{body}-outside", value) for body, value in held))
+            conditions = (*conditions, *(parts.initial_concentration(body, value) for body, value in held))
+            conditions = (*conditions, *(parts.concentration(f"{body}-outside", value) for body, value in held))
         return Model(
             name,
             f"{self.moves}, {self.elements}",
@@ -130,7 +117,7 @@ class Scene:
             bodies,
             conditions,
             control(self.steps),
-            (Contact(KIND, PAIR, ambient),),
+            (parts.Contact(KIND, PAIR, ambient),),
             curves,
             plot=True,
         )
@@ -141,15 +128,19 @@ class Scene:
         made = slab_and_block(elements, self.shape, self.primary, gap, self.cells or CELLS[self.elements])
         sets = made.node_sets | {f"{SLAB}-outside": made.node_sets[BASE], f"{BLOCK}-outside": made.node_sets[LOADED]}
         half, end = self.steps * STEP / 2, self.steps * STEP
-        ramp = Curve(((0.0, 0.0), (half, 1.0), (end, 1.0)))
-        then = Curve(((0.0, 0.0), (half, 0.0), (end, 1.0)))
-        held = [fix(BASE, "xyz"), pressure(LOADED, 0.0)]
+        ramp = parts.Curve(((0.0, 0.0), (half, 1.0), (end, 1.0)))
+        then = parts.Curve(((0.0, 0.0), (half, 0.0), (end, 1.0)))
+        held = [parts.fix(BASE, "xyz"), parts.pressure(LOADED, 0.0)]
         if self.moves == "load":
-            held += [fix(LOADED, "y"), displace(LOADED, "x", CREEP, 2), normal_load(LOADED, LOAD, 1)]
+            held += [parts.fix(LOADED, "y"), parts.displace(LOADED, "x", CREEP, 2), parts.normal_load(LOADED, LOAD, 1)]
         elif self.moves == "slide":
-            held += [fix(LOADED, "y"), displace(LOADED, "z", -DEPTH, 1), displace(LOADED, "x", SLIDE, 2)]
+            held += [
+                parts.fix(LOADED, "y"),
+                parts.displace(LOADED, "z", -DEPTH, 1),
+                parts.displace(LOADED, "x", SLIDE, 2),
+            ]
         else:
-            held += [fix(LOADED, "xy"), displace(LOADED, "z", -DEPTH, 1)]
+            held += [parts.fix(LOADED, "xy"), parts.displace(LOADED, "z", -DEPTH, 1)]
         return self._model(name, replace(made, node_sets=sets), tuple(held), (ramp, then))
 
     def _crack(self, name: str) -> Model:
@@ -171,12 +162,12 @@ class Scene:
         }
         mesh = replace(joined, node_sets=sets, surfaces=joined.surfaces | beyond, pairs={PAIR: pair})
         end = self.steps * STEP
-        path = Curve(((0.0, 0.0), (0.4 * end, 1.0), (end, -0.1)))
+        path = parts.Curve(((0.0, 0.0), (0.4 * end, 1.0), (end, -0.1)))
         conditions = (
-            fix(f"{SLAB}-bottom", "xyz"),
-            fix(f"{BLOCK}-top", "xy"),
-            pressure(f"{BLOCK}-top", 0.0),
-            displace(f"{BLOCK}-top", "z", -DEPTH / 2, 1),
+            parts.fix(f"{SLAB}-bottom", "xyz"),
+            parts.fix(f"{BLOCK}-top", "xy"),
+            parts.pressure(f"{BLOCK}-top", 0.0),
+            parts.displace(f"{BLOCK}-top", "z", -DEPTH / 2, 1),
         )
         return self._model(name, mesh, conditions, (path,))
 
