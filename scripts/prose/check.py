@@ -70,8 +70,7 @@ KINDS = {"substitution": substitution, "existence": existence, "occurrence": occ
 
 ARTICLES = {"a", "an", "the", "its", "their", "our", "your", "no", "each", "every"}
 PREPOSITIONS = {"of", "in", "on", "at", "by", "from", "with", "for", "between"}
-NO_VERB_AFTER = ARTICLES | PREPOSITIONS
-"""Words that a finite verb does not follow."""
+NO_VERB_AFTER = ARTICLES | PREPOSITIONS  # words that a finite verb does not follow
 FINITE = ("VB", "VBP", "VBZ", "VBD", "MD")
 
 
@@ -129,12 +128,9 @@ TALKING = (
 """Folders of the harness, whose messages users read."""
 LISTED = re.compile(r"^  (?:[a-z-]+, )*[a-z-]+  +(?=\S)")
 """Names of commands at the start of a line of the entry's help."""
-COMMENT = re.compile(r"^(?P<code>(?:[^\"\n]|\"[^\"\n]*\")*?)///?<? ?(?P<words>.*)$")
-"""A line with a comment of C++."""
-NAME = re.compile(r"`[^`]*`|\"[^\"]*\"|\w+::[\w:]+|\b\w+\(\)?")
-"""Names of the code in a comment."""
-FEW_WORDS = 2
-"""Spaces in a text that is a message, at least."""
+COMMENT = re.compile(r"^(?P<code>(?:[^\"\n]|\"[^\"\n]*\")*?)///?<? ?(?P<words>.*)$")  # a line with a comment of C++
+NAME = re.compile(r"`[^`]*`|\"[^\"]*\"|\w+::[\w:]+|\b\w+\(\)?")  # names of the code in a comment
+FEW_WORDS = 2  # spaces in a text that is a message, at least
 
 
 def pages() -> list[str]:

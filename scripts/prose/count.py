@@ -13,8 +13,7 @@ from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 REFERENCE = "reference"
-MOST = 20_000
-"""Words that the documentation may have."""
+MOST = 20_000  # words that the documentation may have
 
 
 def words(text: str) -> int:

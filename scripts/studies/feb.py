@@ -14,8 +14,7 @@ from harness.models.document import Model
 from harness.preflight import xml_file
 
 Element = etree._Element
-NODE_FILE = "robustness-nodes.txt"
-"""Into which all runs that are compared write."""
+NODE_FILE = "robustness-nodes.txt"  # into which all runs that are compared write
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,8 @@ from harness.run.runner import RunResult, needs_plugin
 Key = TypeVar("Key")
 Result = TypeVar("Result")
 Announce = Callable[[Key, int], None]
-Timed = tuple[engine.Run, str]
-"""A run, and its log."""
-SHORT = 10.0
-"""s of processor time of a run that is short enough to be repeated for its time alone."""
+Timed = tuple[engine.Run, str]  # a run, and its log
+SHORT = 10.0  # s of processor time of a run that is short enough to be repeated for its time alone
 
 
 def execute(model: Model, *, check: bool = True, processor_limit: float | None = None) -> Timed:

@@ -15,8 +15,7 @@ from harness.paths import REPOSITORY
 from harness.run.engine import find_engine, required_plugin
 
 SNAKEFILE = REPOSITORY / "scripts" / "workflow" / "Snakefile"
-DOES_NOT_HOLD = 1
-"""Exit code of a command that is done, and whose checks do not hold."""
+DOES_NOT_HOLD = 1  # exit code of a command that is done, and whose checks do not hold
 
 
 def run(jobs: Mapping[str, Sequence[str]], folder: Path, *, cores: int = 1, options: Sequence[str] = ()) -> list[Path]:

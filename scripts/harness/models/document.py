@@ -244,8 +244,8 @@ def _check(model: Model) -> None:
     for param in (param for params in given for param in params):
         if param.curve is not None and not 1 <= param.curve <= len(model.curves):
             raise ModelError(
-                f"model '{model.name}': <{param.tag}> = {parts.text_of(param.value)} refers to load curve {param.curve}, "
-                f"but there are {len(model.curves)}"
+                f"model '{model.name}': <{param.tag}> = {parts.text_of(param.value)} refers to load curve "
+                f"{param.curve}, but there are {len(model.curves)}"
             )
 
 

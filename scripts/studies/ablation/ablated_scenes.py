@@ -31,14 +31,10 @@ LOADS = {
 class Tied:
     """A layer on a block, joined across meshes that do not match."""
 
-    load: str
-    """One of `LOADS`."""
-    material: Material
-    """Of both bodies."""
-    tie: str
-    """Parameters of `tied-mixture`."""
-    cells: int = 8
-    """Elements along the layer; the block has two fewer."""
+    load: str  # one of `LOADS`
+    material: Material  # of both bodies
+    tie: str  # parameters of `tied-mixture`
+    cells: int = 8  # elements along the layer; the block has two fewer
 
     def sketch(self) -> Sketch:
         """The model. One end of the layer is held if the load lifts the other."""
@@ -90,10 +86,8 @@ JOINT, HARD_CASE, SYNTHETIC, REPORT, TIE = "joint", "hard case", "synthetic scen
 class AblatedScene:
     """A scene with the plugin's contact."""
 
-    kind: str
-    """`JOINT`, `HARD_CASE`, `SYNTHETIC`, `REPORT` or `TIE`."""
-    write: Callable[[Path], Path]
-    """Writes the model into a folder, and returns its path."""
+    kind: str  # `JOINT`, `HARD_CASE`, `SYNTHETIC`, `REPORT` or `TIE`
+    write: Callable[[Path], Path]  # writes the model into a folder, and returns its path
 
 
 def _write(make: Callable[[], Model], folder: Path) -> Path:

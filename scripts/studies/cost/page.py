@@ -18,8 +18,7 @@ SOURCE, PICTURE = "cost.csv", "images/cost.svg"
 OURS = InterfaceType.MIXTURE.value
 
 
-ALIKE = 2.0
-"""Errors within this factor count as the same."""
+ALIKE = 2.0  # errors within this factor count as the same
 NOTES = {
     Problem.CONVECTION: "The whole error of problem 3.2 need not fall with the mesh: the closed form has bodies that "
     "do not deform, and the deformation of these is part of the difference.",

@@ -20,8 +20,7 @@ from harness.run.hosts import FEBIO4, STANDALONE
 from harness.run.runner import Runner, RunResult
 from studies.options import console
 
-TOLERANCE = 1e-10
-"""Newton's relative tolerances."""
+TOLERANCE = 1e-10  # Newton's relative tolerances
 SMOOTH, MOVING = 1e-7, 1e-5
 """Largest difference of a nodal variable, relative to its largest value: of problems 3.1 and 3.2, and of 3.3."""
 
@@ -30,12 +29,9 @@ SMOOTH, MOVING = 1e-7, 1e-5
 class Comparison:
     """A model that both engines run."""
 
-    name: str
-    """For `--only`."""
-    model: Callable[[], Model]
-    """Makes the model."""
-    floor: float
-    """Squared residual at which rounding is all that is left, in the units of the model's equations."""
+    name: str  # for `--only`
+    model: Callable[[], Model]  # makes the model
+    floor: float  # squared residual at which rounding is all that is left, in the units of the model's equations
     tolerance: float = SMOOTH
 
 

@@ -25,21 +25,16 @@ from studies.models.sheared_blocks import SHEAR, Kind, ShearedBlocks
 from studies.post import slip_zones
 from studies.stamps import at_limit
 
-SOURCE = "friction-cost.csv"
-"""Below docs/data."""
-PAIRS = 3
-"""How often a sheared block and its conforming reference are timed, in turn, and a short run of partial slip."""
-ELEMENTS = 8
-"""Over half the width of the contact in partial slip."""
+SOURCE = "friction-cost.csv"  # below docs/data
+PAIRS = 3  # how often a sheared block and its conforming reference are timed, in turn, and a short run of partial slip
+ELEMENTS = 8  # over half the width of the contact in partial slip
 
 
 class Problem(str, Enum):
     """What is measured."""
 
-    STICK = "stick"
-    """A biphasic block, pressed and sheared, split: nothing should slip."""
-    PARTIAL = "partial slip"
-    """A cylinder in partial slip: half-width of the zone that sticks."""
+    STICK = "stick"  # a biphasic block, pressed and sheared, split: nothing should slip
+    PARTIAL = "partial slip"  # a cylinder in partial slip: half-width of the zone that sticks
 
 
 class Parameter(str, Enum):
@@ -169,8 +164,7 @@ def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float
     return displaced(run, reference), [own.cpu / other.cpu for own, other in pairs]
 
 
-LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)
-"""Errors at which interfaces are compared."""
+LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)  # errors at which interfaces are compared
 
 
 def least_time(data: Sequence[Datum]) -> str:

@@ -30,8 +30,7 @@ class Trial:
 
     kind: str
     seed: int
-    result: str
-    """One of the four above; or what is wrong, after "FAULT: "."""
+    result: str  # one of the four above; or what is wrong, after "FAULT: "
 
     @property
     def faulty(self) -> bool:
@@ -79,10 +78,8 @@ def _wrong(run: RunResult) -> str:
     return "; ".join(f"{m.name} {m.value:.3g}" for m in measures if not m.passed)
 
 
-CHUNK = 20
-"""Seeds a job."""
-TIMEOUT = 60.0
-"""s of wall time for one run."""
+CHUNK = 20  # seeds a job
+TIMEOUT = 60.0  # s of wall time for one run
 
 
 def fuzz(

@@ -17,8 +17,7 @@ from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
-RAMP = tuple(100.0 * k for k in range(1, 11))
-"""Times (s) of the steps in which the blocks are moved."""
+RAMP = tuple(100.0 * k for k in range(1, 11))  # times (s) of the steps in which the blocks are moved
 HOLD = tuple(1000.0 + 4000.0 * k for k in range(1, 7))
 """Times (s) of the steps after it: each takes off 5/6 of what is left. Many more would ask
 Newton for less than rounding."""
@@ -58,36 +57,25 @@ class Press:
     gap: float = 0.0
     """Distance at the start, in elements of the upper block if `in_elements`, else in mm; negative for an overlap."""
     in_elements: bool = False
-    shortening: float = 0.05
-    """Of both blocks at the end, mm: the upper one's top moves by this and the gap."""
+    shortening: float = 0.05  # of both blocks at the end, mm: the upper one's top moves by this and the gap
     path: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1000.0, 1.0))
     """Way of the top over time (s): 1 where the blocks are shortened by `shortening`, 0 at the start."""
-    times: tuple[float, ...] = (*RAMP, *HOLD)
-    """Ends of the time steps, s."""
-    width: tuple[float, float] = (1.0, 1.0)
-    """Cross-section, mm."""
-    across: tuple[int, int] | None = None
-    """Elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3."""
-    warp: float = 0.0
-    """Height (mm) by which the surfaces in contact are warped."""
+    times: tuple[float, ...] = (*RAMP, *HOLD)  # ends of the time steps, s
+    width: tuple[float, float] = (1.0, 1.0)  # cross-section, mm
+    across: tuple[int, int] | None = None  # elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3
+    warp: float = 0.0  # height (mm) by which the surfaces in contact are warped
+    # Concentration of each solute below and above, mM.
     below: tuple[float, ...] = (1.0,)
     above: tuple[float, ...] = (0.0,)
-    """Concentration of each solute below and above, mM."""
-    initial: tuple[float, ...] = ()
-    """Concentration of each solute at the start, mM; without it none."""
-    newton: float = NEWTON
-    """Newton's relative tolerances."""
-    penalties: float = 1.0
-    """Factor on all penalties."""
-    augmented: float | None = None
-    """Relative tolerance of augmentations (AUGLAG); without it there are none."""
+    initial: tuple[float, ...] = ()  # concentration of each solute at the start, mM; without it none
+    newton: float = NEWTON  # Newton's relative tolerances
+    penalties: float = 1.0  # factor on all penalties
+    augmented: float | None = None  # relative tolerance of augmentations (AUGLAG); without it there are none
     extra: tuple[parts.Param, ...] = field(default=())
-    inlet: float = 0.0
-    """Fluid pressure below, MPa; none above."""
+    inlet: float = 0.0  # fluid pressure below, MPa; none above
     stepper: parts.TimeStepper | None = None
     """Chooses the time steps instead of `times`, whose first and last entries then are the first step and the end."""
-    tolerance: float = 2e-3
-    """Largest error allowed of force and concentration, relative to their largest values."""
+    tolerance: float = 2e-3  # largest error allowed of force and concentration, relative to their largest values
     name: str = "press"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:

@@ -22,10 +22,8 @@ from studies.stamps import at_limit
 class Record(Attempt):
     """An attempt with what was checked of it."""
 
-    failures: str
-    """How attempts at steps failed."""
-    measures: list[Measure]
-    """All checks that could be made."""
+    failures: str  # how attempts at steps failed
+    measures: list[Measure]  # all checks that could be made
 
     @property
     def missed(self) -> list[Measure]:

@@ -25,11 +25,9 @@ from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS, O
 
 TOLERANCE = 1e-3
 """Of the last state, relative to the largest value of each kind: FEBio's tolerance on the change of a step."""
-TIMEOUT = 120.0
-"""s of wall time for one run."""
+TIMEOUT = 120.0  # s of wall time for one run
 REFERENCE = SOLVERS[0]
-SYMMETRIC_ONLY = frozenset({"skyline"})
-"""Types that take no other matrix in any build."""
+SYMMETRIC_ONLY = frozenset({"skyline"})  # types that take no other matrix in any build
 MODELS: Mapping[str, Diffusion | Confined] = {
     "diffusion": Diffusion(elements=3, control=Control(3, 200.0)),
     "creep": Confined(elements=3, control=Control(3, 10.0)),

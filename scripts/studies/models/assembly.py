@@ -13,10 +13,8 @@ from harness.models import blocks
 from harness.models.blocks import Body, Points
 from harness.models.mesh import Mesh, Part
 
-Inside = Callable[[Points], NDArray[np.bool_]]
-"""Which positions, shape (..., 3) in mm, belong to a set."""
-NEAR = 1e-9
-"""Tolerance for positions, mm."""
+Inside = Callable[[Points], NDArray[np.bool_]]  # which positions, shape (..., 3) in mm, belong to a set
+NEAR = 1e-9  # tolerance for positions, mm
 
 
 @dataclass(frozen=True)

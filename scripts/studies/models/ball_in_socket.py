@@ -15,13 +15,10 @@ from studies.models.pieces import hold
 from studies.models.quadratic import quadratic
 from studies.models.tetrahedra import tetrahedra
 
-RADIUS, THICKNESS, GAP = 10.0, 2.0, 0.05
-"""Of the ball, of both layers, and of the gap between them, mm."""
+RADIUS, THICKNESS, GAP = 10.0, 2.0, 0.05  # of the ball, of both layers, and of the gap between them, mm
 SOLID = parts.Solid(1.0, 0.1)
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
-PRESSED, SLID = 0.25, 1.0
-"""mm by which the bone of the ball comes down, and then goes sideways."""
+PERMEABILITY = 1e-3  # mm^4/(N s)
+PRESSED, SLID = 0.25, 1.0  # mm by which the bone of the ball comes down, and then goes sideways
 ABOUT = """\
 A ball in its socket: two layers of {material} with a thickness of 2 mm cover rigid bone. The ball has a radius of
 10 mm. Its bone moves down by {pressed:g} mm and then sideways by {slid:g} mm."""
@@ -31,24 +28,16 @@ A ball in its socket: two layers of {material} with a thickness of 2 mm cover ri
 class BallInSocket:
     elements: int = 8
     """Of the ball along each edge of the lowest patch of its hemisphere, even; the socket has two more."""
-    quadratic: bool = False
-    """Tetrahedra of ten nodes."""
-    porous: bool = False
-    """Biphasic layers, wet where they are not in contact."""
+    quadratic: bool = False  # tetrahedra of ten nodes
+    porous: bool = False  # biphasic layers, wet where they are not in contact
     slides: bool = True
-    updates: int = 0
-    """Quasi-Newton updates (BFGS) between two matrices."""
-    primary: str = "ball"
-    """Surface that the contact integrates over: ``ball`` or ``socket``."""
-    contact: str = InterfaceType.MIXTURE.value
-    """Type of the contact."""
-    params: tuple[parts.Param, ...] = ()
-    """Of the contact."""
-    steps: int = 10
-    """Time steps to press, and as many to slide."""
+    updates: int = 0  # quasi-Newton updates (BFGS) between two matrices
+    primary: str = "ball"  # surface that the contact integrates over: ``ball`` or ``socket``
+    contact: str = InterfaceType.MIXTURE.value  # type of the contact
+    params: tuple[parts.Param, ...] = ()  # of the contact
+    steps: int = 10  # time steps to press, and as many to slide
     name: str = "ball-in-socket"
-    plot: bool = False
-    """With a plot file."""
+    plot: bool = False  # with a plot file
 
     def model(self) -> Model:
         material = parts.Mixture(SOLID, PERMEABILITY) if self.porous else parts.Elastic(SOLID)

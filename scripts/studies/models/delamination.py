@@ -9,14 +9,10 @@ from harness.models.mesh import Mesh
 from studies.models.assembly import assembled, box, everywhere, plane
 from studies.models.pieces import UNCLAMPED, ambient
 
-LENGTH, HEIGHT = 8.0, 1.0
-"""Of the layer and of the bone below it, mm."""
-SHEAR, LIFT = 0.35, 0.1
-"""mm by which the left end of the layer is drawn along the bone and off it."""
-DURATION = 60.0
-"""s."""
-BATH = 1.0
-"""Concentration of the fluid around both bodies, mM."""
+LENGTH, HEIGHT = 8.0, 1.0  # of the layer and of the bone below it, mm
+SHEAR, LIFT = 0.35, 0.1  # mm by which the left end of the layer is drawn along the bone and off it
+DURATION = 60.0  # s
+BATH = 1.0  # concentration of the fluid around both bodies, mM
 CARTILAGE = parts.Mixture(
     parts.Solid(5.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, 1e-2, free_diffusivity=1e-2),)
 )
@@ -25,8 +21,7 @@ BONE = parts.Mixture(
 )
 AMBIENT_PRESSURE = parts.effective_pressure(BATH)
 """Effective pressure at this concentration without fluid pressure, MPa."""
-START = 0.2
-"""Concentration in both bodies at first, mM."""
+START = 0.2  # concentration in both bodies at first, mM
 TIE = ContactSettings(
     auto_penalty=True,
     penalty=10.0,
@@ -61,9 +56,9 @@ impermeable."""
 class Delamination:
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = TIE
+    # Elements of the layer and of the bone along their length and over their height.
     along: tuple[int, int] = (48, 24)
     up: tuple[int, int] = (4, 2)
-    """Elements of the layer and of the bone along their length and over their height."""
     control: parts.Control = CONTROL
     name: str = "delamination"
     plot: bool = False

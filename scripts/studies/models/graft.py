@@ -13,16 +13,11 @@ from harness.models.mesh import Mesh
 from studies.models.assembly import assembled, cylinder, everywhere, graded, plane
 from studies.models.pieces import UNCLAMPED, ambient
 
-DEFECT = 2.0
-"""Radius of the defect, mm."""
-PRESS_FIT = 0.02
-"""mm by which the graft's radius exceeds that of the defect."""
-OUTER = 5.0
-"""Radius of the modelled part of the host, mm."""
-HEIGHT = 2.0
-"""Thickness of the cartilage and of the graft, mm."""
-CONCENTRATION = 1.0
-"""Of the host at first, and of its surroundings, mM."""
+DEFECT = 2.0  # radius of the defect, mm
+PRESS_FIT = 0.02  # mm by which the graft's radius exceeds that of the defect
+OUTER = 5.0  # radius of the modelled part of the host, mm
+HEIGHT = 2.0  # thickness of the cartilage and of the graft, mm
+CONCENTRATION = 1.0  # of the host at first, and of its surroundings, mM
 HOST = parts.Mixture(
     parts.Solid(1.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),)
 )
@@ -34,8 +29,7 @@ GRAFT = parts.Mixture(
 )
 AMBIENT_PRESSURE = parts.effective_pressure(CONCENTRATION)
 """Effective pressure at this concentration without fluid pressure, MPa."""
-GROWTH = 1.3
-"""Of the elements of the host, from the wall of the defect outwards."""
+GROWTH = 1.3  # of the elements of the host, from the wall of the defect outwards
 
 ABOUT = """\
 A graft in a defect of cartilage, to which the host supplies a nutrient across the contact.
@@ -53,9 +47,9 @@ bone below is impermeable, and no load acts on the top. By symmetry, the model c
 class Graft:
     around: int = 4
     """Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many."""
+    # Elements of the host from the wall outwards, and of both bodies over the height.
     outward: int = 7
     up: int = 5
-    """Elements of the host from the wall outwards, and of both bodies over the height."""
     control: parts.Control = parts.Control(60, 50.0)
     plot: bool = False
 

@@ -15,27 +15,18 @@ from harness.models.mesh import Mesh
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, raised, tensor
 from studies.models.pieces import UNCLAMPED, ambient
 
-RADIUS = 15.0
-"""Radius of curvature of the upper cartilage, mm."""
-THICKNESS = 1.0
-"""Of each layer, mm."""
-HALF_WIDTHS = {"upper": 4.0, "lower": 4.5}
-"""mm; by symmetry half of the section is modelled."""
-DEPTH = 0.25
-"""mm, thickness of the plane problem."""
-LEAST, MOST = 0.05, 0.15
-"""mm by which the upper bone approaches over a cycle."""
-GROWTH = 1.25
-"""Of the elements of a layer, from the surface of the joint to the bone."""
-PERIOD, STEPS = 20.0, 20
-"""Of a cycle: s, and number of time steps."""
-AMBIENT = 1.0
-"""Concentration of the synovial fluid, mM, reached at the end of the first cycle."""
+RADIUS = 15.0  # radius of curvature of the upper cartilage, mm
+THICKNESS = 1.0  # of each layer, mm
+HALF_WIDTHS = {"upper": 4.0, "lower": 4.5}  # mm; by symmetry half of the section is modelled
+DEPTH = 0.25  # mm, thickness of the plane problem
+LEAST, MOST = 0.05, 0.15  # mm by which the upper bone approaches over a cycle
+GROWTH = 1.25  # of the elements of a layer, from the surface of the joint to the bone
+PERIOD, STEPS = 20.0, 20  # of a cycle: s, and number of time steps
+AMBIENT = 1.0  # concentration of the synovial fluid, mM, reached at the end of the first cycle
 CARTILAGE = parts.Mixture(
     parts.Solid(1.0, 0.1), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),)
 )
-LOADING, FILLING = 1, 2
-"""Numbers of the load curves."""
+LOADING, FILLING = 1, 2  # numbers of the load curves
 
 EFFECTIVE_PRESSURE = parts.effective_pressure(AMBIENT)
 """MPa, where the concentration is `AMBIENT` and the fluid pressure 0."""
@@ -73,9 +64,9 @@ class Source(Enum):
 @dataclass(frozen=True)
 class Joint:
     cycles: int = 10
+    # Elements along the half-width and through the thickness of each layer.
     across: int = 24
     through: int = 8
-    """Elements along the half-width and through the thickness of each layer."""
     source: Source = Source.FLUID
     name: str = "joint"
     plot: bool = False

@@ -11,23 +11,15 @@ from harness.models.mesh import Mesh
 from studies.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
 from studies.models.pieces import hold, move_rigid, timed, with_friction
 
-HEIGHT = 1.0
-"""mm."""
-MODULUS = 1.0
-"""Aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0."""
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
-LOAD = 1e-4
-"""P0, MPa; small, so that strains are. The area is 1 mm^2."""
+HEIGHT = 1.0  # mm
+MODULUS = 1.0  # aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0
+PERMEABILITY = 1e-3  # mm^4/(N s)
+LOAD = 1e-4  # P0, MPa; small, so that strains are. The area is 1 mm^2
 FRICTION = 0.2
-ELEMENTS = 20
-"""Through the thickness of the layer."""
-OVERLAP = 1e-9
-"""mm by which the plate overlaps the layer at first, so that the load finds it in contact."""
-WAY = 2.0
-"""mm by which the plate slides."""
-DIFFUSION_TIME = HEIGHT**2 / (MODULUS * PERMEABILITY)
-"""h^2/(H k), s."""
+ELEMENTS = 20  # through the thickness of the layer
+OVERLAP = 1e-9  # mm by which the plate overlaps the layer at first, so that the load finds it in contact
+WAY = 2.0  # mm by which the plate slides
+DIFFUSION_TIME = HEIGHT**2 / (MODULUS * PERMEABILITY)  # h^2/(H k), s
 EVEN_STEPS, FIRST_STEP, GROWTH, STEPS = 10, 1e-3, 1.03, 220
 """The first steps are of one size, tau = 0.001; then each is longer by 3 % of the time, up to tau = 5."""
 TIMES = tuple(
@@ -45,8 +37,7 @@ The effective friction coefficient grows from phi mu_eq to mu_eq within about h^
 
 @dataclass(frozen=True)
 class PlateOnLayer:
-    solid_fraction: float = 0.1
-    """phi, the fraction of the contact that is solid on solid."""
+    solid_fraction: float = 0.1  # phi, the fraction of the contact that is solid on solid
     layer_is_primary: bool = True
     name: str = "plate-on-layer"
     plot: bool = False

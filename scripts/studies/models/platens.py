@@ -7,14 +7,10 @@ from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Layer, split_column
 
-SAMPLE, PLATEN = 1.0, 0.5
-"""Heights of the sample and of each platen, mm."""
-COMPRESSION = 0.1
-"""mm by which the upper platen is driven down."""
-RAMP = 100.0
-"""s in which it is driven, and in which the ambient concentration rises."""
-AMBIENT = 1.0
-"""mM."""
+SAMPLE, PLATEN = 1.0, 0.5  # heights of the sample and of each platen, mm
+COMPRESSION = 0.1  # mm by which the upper platen is driven down
+RAMP = 100.0  # s in which it is driven, and in which the ambient concentration rises
+AMBIENT = 1.0  # mM
 OVERLAP = 1e-10
 """mm by which neighbours overlap at first: the sample is held by its contacts alone, so they must be closed."""
 TISSUE = parts.Mixture(
@@ -38,8 +34,7 @@ the lower contact transmits traction alone."""
 
 @dataclass(frozen=True)
 class Platens:
-    elements: int = 20
-    """Through the sample; a platen has a fifth of it."""
+    elements: int = 20  # through the sample; a platen has a fifth of it
     control: parts.Control = parts.Control(120, 25.0)
     plot: bool = False
 

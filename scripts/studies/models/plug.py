@@ -12,18 +12,12 @@ from harness.models.mesh import Mesh
 from studies.models.assembly import assembled, everywhere, plane
 from studies.models.pieces import UNCLAMPED
 
-RADIUS = 2.0
-"""Of the cartilage, mm."""
-WIDER = 3.0
-"""Radius of the bone, mm."""
-CARTILAGE_HEIGHT, BONE_HEIGHT = 2.0, 3.0
-"""mm."""
-COMPRESSION = 0.1
-"""mm by which the top of the cartilage moves down."""
-RAMP = 500.0
-"""Time of the compression, s."""
-CONCENTRATION = 1.0
-"""Of the solution above the cartilage, mM."""
+RADIUS = 2.0  # of the cartilage, mm
+WIDER = 3.0  # radius of the bone, mm
+CARTILAGE_HEIGHT, BONE_HEIGHT = 2.0, 3.0  # mm
+COMPRESSION = 0.1  # mm by which the top of the cartilage moves down
+RAMP = 500.0  # time of the compression, s
+CONCENTRATION = 1.0  # of the solution above the cartilage, mM
 CARTILAGE = parts.Mixture(
     parts.Solid(1.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, 5e-4, free_diffusivity=1e-3),)
 )

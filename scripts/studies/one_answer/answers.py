@@ -95,8 +95,7 @@ ENFORCED: Mapping[str, Change] = {
 """One answer but for the jump that a penalty leaves."""
 
 
-SAME = 1e-8
-"""Difference, relative to the largest value of a field, that tolerances and FEBio's twelve digits leave."""
+SAME = 1e-8  # difference, relative to the largest value of a field, that tolerances and FEBio's twelve digits leave
 FULL, KEPT = "full Newton", "BFGS 10"
 
 
@@ -109,8 +108,7 @@ class Answer:
     ended: str
     iterations: int
     retries: int
-    difference: float | None = None
-    """From the run that it is compared with; None where it is compared with none."""
+    difference: float | None = None  # from the run that it is compared with; None where it is compared with none
     across: bool = False
     """Whether that one has its conditions enforced another way, so that they differ by what a penalty leaves."""
 

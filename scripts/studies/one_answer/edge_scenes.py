@@ -27,14 +27,11 @@ from studies.synthetic_scenes.slab_and_block import (
 from studies.synthetic_scenes.slab_and_block import mesh as slab_and_block
 
 KIND = "sliding-mixture"
-STEP = 5.0
-"""s. Fluid then crosses a third of an element."""
+STEP = 5.0  # s. Fluid then crosses a third of an element
 GAP, OVERLAP = 0.002, 0.05
 """mm between the bodies at the start: where the block is moved; where it is pushed, and has to rest on something."""
-DEPTH, SLIDE, CREEP, LOAD = 0.15, 0.35, 0.1, 0.04
-"""mm, mm, mm of what is pushed, MPa."""
-AMBIENT = 0.5
-"""mM; the slab begins with twice as much, the block with half."""
+DEPTH, SLIDE, CREEP, LOAD = 0.15, 0.35, 0.1, 0.04  # mm, mm, mm of what is pushed, MPa
+AMBIENT = 0.5  # mM; the slab begins with twice as much, the block with half
 CELLS = {"hex8": Cells(), "hex20": Cells(4, 3, 2), "tet10": Cells(4, 3, 1), "tet15": Cells(3, 2, 1)}
 """So that no scene is large."""
 TIGHT = (
@@ -68,21 +65,14 @@ def control(steps: int) -> parts.Control:
 class Scene:
     """A scene."""
 
-    moves: str
-    """``punch``, ``load``, ``slide`` or ``crack``."""
-    elements: str = "hex8"
-    """As `Elements`, or ``tet15``."""
-    shape: Shape = Shape.FLAT
-    """Of the block's lower face."""
-    primary: str = LOWER
-    """Its surface is the primary one."""
-    solute: bool = False
-    """Whether both bodies hold a solute."""
-    stiffness: float = 1.0
-    """Of the block over that of the slab."""
+    moves: str  # ``punch``, ``load``, ``slide`` or ``crack``
+    elements: str = "hex8"  # as `Elements`, or ``tet15``
+    shape: Shape = Shape.FLAT  # of the block's lower face
+    primary: str = LOWER  # its surface is the primary one
+    solute: bool = False  # whether both bodies hold a solute
+    stiffness: float = 1.0  # of the block over that of the slab
     steps: int = 10
-    cells: Cells | None = None
-    """Those of `CELLS` without it."""
+    cells: Cells | None = None  # those of `CELLS` without it
 
     def feb(self, name: str) -> Feb:
         """The scene as a model file."""

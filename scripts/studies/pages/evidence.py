@@ -30,14 +30,11 @@ _FIGURE = re.compile(r"\d")
 class EvidencePage:
     """A page of evidence."""
 
-    name: str
-    """Below docs/."""
-    sources: tuple[str, ...]
-    """Files below docs/data that its figures come from."""
+    name: str  # below docs/
+    sources: tuple[str, ...]  # files below docs/data that its figures come from
     template: Path
     """Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with."""
-    figures: Callable[[], Mapping[str, str]]
-    """Reads the sources and says what goes where."""
+    figures: Callable[[], Mapping[str, str]]  # reads the sources and says what goes where
     compares_sources: bool = True
     """Whether the same commit of the plugin has to have made all sources; False where each has tables of its own."""
 

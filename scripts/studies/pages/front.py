@@ -5,8 +5,7 @@ import re
 from harness.errors import DataFileError
 from harness.paths import REPOSITORY
 
-PAGE = "../README.md"
-"""From docs/."""
+PAGE = "../README.md"  # from docs/
 _QUOTED = re.compile(r"^(\| \[[^\]]+\]\((docs/evidence/[\w-]+\.md)\) \|) .* \|$", re.MULTILINE)
 _SAID = re.compile(r"^\*\*(.+)\*\*$", re.MULTILINE)
 

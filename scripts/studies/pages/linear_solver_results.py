@@ -11,8 +11,7 @@ from studies.pages.stamped_rows import Stamped
 from studies.pages.texts import page_text
 
 PAGE = "reference/linear-solvers.md"
-DATA = Path("data", "linear-solvers.json")
-"""Below docs/."""
+DATA = Path("data", "linear-solvers.json")  # below docs/
 SCENES = ("diffusion", "creep")
 
 ENFORCEMENTS = ("PENALTY", "AUGLAG", "LAGMULT")
@@ -61,19 +60,15 @@ class Outcome(str, Enum):
 class Trial:
     """A run."""
 
+    # What was solved by what.
     scene: str
     solver: str
     preconditioner: str
     enforcement: str
-    """What was solved by what."""
-    outcome: str
-    """How it ended."""
-    difference: float
-    """Of the last state from that of the reference, relative to the largest value of each kind."""
-    febio: str
-    """The FEBio that ran it."""
-    commit: str
-    """Of the plugin's sources, or unknown."""
+    outcome: str  # how it ended
+    difference: float  # of the last state from that of the reference, relative to the largest value of each kind
+    febio: str  # the FEBio that ran it
+    commit: str  # of the plugin's sources, or unknown
 
     @property
     def cell(self) -> tuple[str, str, str, str]:
@@ -81,8 +76,7 @@ class Trial:
         return (self.scene, self.enforcement, self.solver, self.preconditioner)
 
 
-Results = Stamped[Trial]
-"""The stamp is that of the last trials; others say their own FEBio and commit."""
+Results = Stamped[Trial]  # the stamp is that of the last trials; others say their own FEBio and commit
 HEAD = page_text("linear-solvers")
 
 

@@ -19,31 +19,23 @@ from studies.pages.texts import FOLDER, page_text
 PAGE = "reference/parameters.md"
 AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_radius"}
 """Parameters that are chosen by the contact where the model does not give them."""
-OLD_MODELS = "Accepted for the sake of old models"
-"""The heading of parameters that FEBio Studio does not offer."""
+OLD_MODELS = "Accepted for the sake of old models"  # the heading of parameters that FEBio Studio does not offer
 
 
 @dataclass(frozen=True)
 class Note:
     """Of one parameter."""
 
-    effect: str
-    """What it means and does."""
-    cost: str = "none"
-    """What it costs, in time or robustness."""
-    febio: str = "same"
-    """What it is in FEBio's own interfaces."""
-    unit: str = ""
-    """Empty: 0 or 1 for truth values, else none."""
-    default: str = ""
-    """Empty: that of the code."""
+    effect: str  # what it means and does
+    cost: str = "none"  # what it costs, in time or robustness
+    febio: str = "same"  # what it is in FEBio's own interfaces
+    unit: str = ""  # empty: 0 or 1 for truth values, else none
+    default: str = ""  # empty: that of the code
 
 
 _SAID = json.loads((FOLDER / "parameter_notes.json").read_text(encoding="utf-8"))
-ABOUT: dict[str, str] = _SAID["groups"]
-"""A sentence on each group of parameters, by its heading."""
-NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}
-"""By the names of the parameters."""
+ABOUT: dict[str, str] = _SAID["groups"]  # a sentence on each group of parameters, by its heading
+NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}  # by the names of the parameters
 
 
 def printed() -> str:

@@ -12,8 +12,7 @@ from studies.pages.stamped_rows import Stamped
 from studies.pages.texts import page_text
 
 PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
-DATA = Path("data", "synthetic-scenes.json")
-"""Below docs/."""
+DATA = Path("data", "synthetic-scenes.json")  # below docs/
 
 HEAD = page_text("synthetic-scenes")
 ALL_HEAD = page_text("synthetic-scenes-all")
@@ -21,18 +20,14 @@ ALL_HEAD = page_text("synthetic-scenes-all")
 
 FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit", "explicit-finer"))
 """Scenes on two meshes, one twice as fine as the other."""
-MOST = 1.2
-"""Iterations over FEBio's, at most, in any scene."""
+MOST = 1.2  # iterations over FEBio's, at most, in any scene
 COLUMNS = (
     *("scene", "description", "FEBio", "converted", "displacements differ by", "fields differ by"),
     *("penalties deleted", "with `predictor` 1", "worse in"),
 )
-AT_LIMIT = "ended by the limit"
-"""Why a run did not end that took all of its processor time."""
-NOT_MADE = "not run"
-"""Why there is no run where nobody asked for it."""
-UNAVAILABLE = "not available in models with rigid bodies"
-"""What the plugin says of the predictor there."""
+AT_LIMIT = "ended by the limit"  # why a run did not end that took all of its processor time
+NOT_MADE = "not run"  # why there is no run where nobody asked for it
+UNAVAILABLE = "not available in models with rigid bodies"  # what the plugin says of the predictor there
 
 
 @dataclass(frozen=True)
@@ -48,8 +43,7 @@ class Took:
     displacement; 0 for FEBio's interface itself, not a number where a run did not end."""
     of_fields: float = math.nan
     """The same of pressure and concentrations, the largest of them; not a number where there are none."""
-    why: str = ""
-    """Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it."""
+    why: str = ""  # why there is no run, or why it failed; `AT_LIMIT` where the limit ended it
 
     @property
     def at_limit(self) -> bool:
@@ -67,8 +61,7 @@ class Took:
         return self.why != NOT_MADE
 
 
-NOT_RUN = Took(ended=False, why=NOT_MADE)
-"""Stands for a run that nobody made."""
+NOT_RUN = Took(ended=False, why=NOT_MADE)  # stands for a run that nobody made
 
 
 @dataclass(frozen=True)

@@ -27,8 +27,7 @@ class Run:
     mesh: str
     steps: str
     contact: str
-    tolerances: str
-    """Name, and the rest as the page shows it."""
+    tolerances: str  # name, and the rest as the page shows it
     iterations: int
 
 

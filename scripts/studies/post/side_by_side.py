@@ -18,8 +18,7 @@ from harness.report.plot_file import PlotFile
 _COLOURS = "turbo"
 _TISSUE = "#e6e1d6"
 """Colour of surfaces without pressure."""
-_SIZE = (1100, 800)
-"""Pixels of one run."""
+_SIZE = (1100, 800)  # pixels of one run
 
 
 @dataclass(frozen=True)

@@ -21,12 +21,9 @@ from studies.stamps import LIMIT
 class Part(str, Enum):
     """What there is to measure."""
 
-    JOINTS = "joints"
-    """A ball in its socket, of tetrahedra, and blocks with many facets, beside FEBio's own interface."""
-    EFFECTS = "effects"
-    """Times at the end of runs with more and more effects, as a bar chart."""
-    COMPARISON = "comparison"
-    """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
+    JOINTS = "joints"  # a ball in its socket, of tetrahedra, and blocks with many facets, beside FEBio's own interface
+    EFFECTS = "effects"  # times at the end of runs with more and more effects, as a bar chart
+    COMPARISON = "comparison"  # iterations and times of the contact beside FEBio's own, on two blocks with many facets
     MATRICES = "matrices"
     """FEBio's interface on the joints with its default matrix, which is symmetric, beside a non-symmetric one."""
 

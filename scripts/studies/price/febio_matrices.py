@@ -26,8 +26,7 @@ class Matrix:
     ratio_low: float
     ratio_high: float
     """Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn."""
-    entries: int
-    """The most entries of the matrix."""
+    entries: int  # the most entries of the matrix
 
 
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:

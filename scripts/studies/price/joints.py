@@ -20,8 +20,7 @@ from studies.price.scenes import Kind, penalties
 from studies.stamps import LIMIT, at_limit
 from studies.timing import Timed
 
-FACTOR = 10.0
-"""Of FEBio's automatic penalties: what its users set."""
+FACTOR = 10.0  # of FEBio's automatic penalties: what its users set
 Scene = BallInSocket | PressedBlocks
 SCENES: Mapping[str, Scene] = {
     "tet4, pressed": BallInSocket(slides=False),
@@ -42,28 +41,23 @@ class JointPrice:
     """One contact on one scene, from several runs."""
 
     scene: str
-    type: str
-    """Type of the contact; `PREDICTED` for ours with the predictor."""
+    type: str  # type of the contact; `PREDICTED` for ours with the predictor
     ended: bool
+    # Newton iterations, time steps tried again, and matrices formed.
     iterations: int
     retries: int
     matrices: int
-    """Newton iterations, time steps tried again, and matrices formed."""
-    seconds: float
-    """Median of the processor time of the run, s."""
+    seconds: float  # median of the processor time of the run, s
+    # Median, least and largest of that time over that of FEBio's interface, run in turn.
     ratio: float
     ratio_low: float
     ratio_high: float
-    """Median, least and largest of that time over that of FEBio's interface, run in turn."""
-    share: float
-    """Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's."""
-    points: int
-    """Integration points that face the other surface; 0 for FEBio's."""
-    facets: int
-    """Of the primary surface."""
+    share: float  # part of the run's time that the contact takes, of the run with the least part; nan for FEBio's
+    points: int  # integration points that face the other surface; 0 for FEBio's
+    facets: int  # of the primary surface
+    # Equations, and the most entries of the matrix.
     unknowns: int
     entries: int
-    """Equations, and the most entries of the matrix."""
 
 
 def rival(scene: Scene) -> Scene:

@@ -14,12 +14,10 @@ from studies.price.scenes import Kind, Scene, penalties
 from studies.stamps import at_limit
 from studies.timing import Timed
 
-Announce = Callable[[str], None]
-"""Told what is being run."""
+Announce = Callable[[str], None]  # told what is being run
 
 PREDICTING = ContactSettings(extra=(PREDICTOR,))
-FACTORS = (1000.0, 1.0)
-"""Factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes."""
+FACTORS = (1000.0, 1.0)  # factors of FEBio's automatic penalties that it is timed with: accurate, and as FEBio proposes
 
 
 @dataclass(frozen=True)
@@ -27,22 +25,18 @@ class Price:
     """What one contact costs on one scene, from several runs."""
 
     kind: str
-    type: str
-    """Type of the contact, as `Interface` has it for ours with the predictor."""
-    factor: float
-    """Penalty factor; 0 for our defaults."""
+    type: str  # type of the contact, as `Interface` has it for ours with the predictor
+    factor: float  # penalty factor; 0 for our defaults
     ended: bool
-    limited: bool
-    """Whether the limit ended a run."""
-    iterations: int
-    """Newton iterations."""
+    limited: bool  # whether the limit ended a run
+    iterations: int  # Newton iterations
     added: float
     added_low: float
     added_high: float
     """Median, least and largest of (processor time of the run)/(that of the conforming reference, run in turn) - 1."""
+    # Equations, and the most entries of the matrix.
     unknowns: int
     entries: int
-    """Equations, and the most entries of the matrix."""
 
 
 def compared(scene: Scene) -> dict[tuple[str, float], Scene]:

@@ -8,17 +8,12 @@ from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, automatic, header
 from harness.models.mesh import Layer, Mesh, Section, conforming_column, split_column
 
-HEIGHT = 1.0
-"""mm, of each block; their section is 1 mm x 1 mm."""
-CLOSING = 0.01
-"""mm by which the top is moved down over the run."""
-BELOW, ABOVE = 1.0, 2.0
-"""Effective concentrations at the two ends, mM; 1 mM everywhere at the start."""
-STEPS, STEP = 5, 100.0
-"""Number of steps and their size, s: in one, solutes get about (d STEP)^(1/2) = 0.22 mm far."""
+HEIGHT = 1.0  # mm, of each block; their section is 1 mm x 1 mm
+CLOSING = 0.01  # mm by which the top is moved down over the run
+BELOW, ABOVE = 1.0, 2.0  # effective concentrations at the two ends, mM; 1 mM everywhere at the start
+STEPS, STEP = 5, 100.0  # number of steps and their size, s: in one, solutes get about (d STEP)^(1/2) = 0.22 mm far
 SOLID = parts.Solid(10.0)
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
+PERMEABILITY = 1e-3  # mm^4/(N s)
 
 ABOUT = """\
 Two blocks of 1 mm x 1 mm x 1 mm with matching meshes, pressed together by 0.01 mm in 500 s.
@@ -49,15 +44,12 @@ class Kind(str, Enum):
 @dataclass(frozen=True)
 class Scene:
     kind: Kind
-    contact: str = InterfaceType.MIXTURE.value
-    """Type of the contact; ``conforming`` for one body without a contact."""
-    solutes: int = 0
-    """Number of solutes of both blocks."""
-    fixed: bool = False
-    """Whether the solid is held everywhere."""
+    contact: str = InterfaceType.MIXTURE.value  # type of the contact; ``conforming`` for one body without a contact
+    solutes: int = 0  # number of solutes of both blocks
+    fixed: bool = False  # whether the solid is held everywhere
+    # Elements along x and y, and through each block.
     section: int = 8
     through: int = 2
-    """Elements along x and y, and through each block."""
     settings: ContactSettings = ContactSettings()
     control: parts.Control = field(default=parts.Control(STEPS, STEP))
 

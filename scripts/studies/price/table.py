@@ -23,18 +23,13 @@ TASKS = ("search", "residual", "stiffness", "augmentation", "output")
 class Times:
     """What one contact cost in one run."""
 
-    contact: str
-    """Its name in the model."""
+    contact: str  # its name in the model
     seconds: dict[str, dict[str, float]]
     """By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on."""
-    host: float
-    """s of all these that the host takes for its own assembly."""
-    run: float
-    """s, of the whole run."""
-    points: int
-    """Integration points that see the other surface; 0 where there was no contact."""
-    memory: int
-    """Bytes that the contact keeps for each of them."""
+    host: float  # s of all these that the host takes for its own assembly
+    run: float  # s, of the whole run
+    points: int  # integration points that see the other surface; 0 where there was no contact
+    memory: int  # bytes that the contact keeps for each of them
 
     @property
     def effects(self) -> dict[str, float]:
@@ -96,19 +91,16 @@ class EffectCost:
     """One effect of one scene."""
 
     scene: str
-    effect: str
-    """``shared`` is what all effects need."""
-    part: float
-    """Part of the run's time that the contact takes for this effect, of the run whose share is the median."""
+    effect: str  # ``shared`` is what all effects need
+    part: float  # part of the run's time that the contact takes for this effect, of the run whose share is the median
+    # Part of all effects: median, least and largest.
     share: float
     share_low: float
     share_high: float
-    """Part of all effects: median, least and largest."""
-    bytes: int
-    """Memory for each integration point."""
+    bytes: int  # memory for each integration point
+    # Equations of the run, and the most entries of its matrix.
     unknowns: int
     entries: int
-    """Equations of the run, and the most entries of its matrix."""
 
 
 def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[EffectCost]:

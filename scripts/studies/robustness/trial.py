@@ -14,8 +14,7 @@ from studies.robustness.variations import EVERY
 
 ROUND_OFF = 1e-8
 """Relative difference that rounding may grow to in a run. FEBio writes twelve digits, and times with nine."""
-SOLVED = 0.05
-"""Relative difference between two methods of solution that both converge to the tolerances of the model."""
+SOLVED = 0.05  # relative difference between two methods of solution that both converge to the tolerances of the model
 
 
 @dataclass(frozen=True)
@@ -24,14 +23,12 @@ class Finding:
 
     model: str
     variation: str
-    ended: str
-    """How it ended."""
+    ended: str  # how it ended
     steps: int
     retries: int
     difference: float | None = None
     """From the run that it is compared with, as in `differences.largest`; None where there is nothing to compare."""
-    faults: tuple[str, ...] = ()
-    """What must not be."""
+    faults: tuple[str, ...] = ()  # what must not be
     note: str = ""
 
     @property

@@ -12,14 +12,10 @@ from harness.models.document import Model
 from studies.models.pieces import move_rigid
 from studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Cells, Elements, Shape, mesh
 
-DEPTH = 0.15
-"""mm by which the block is moved down."""
-GAP = 0.01
-"""mm between the two bodies at the start, where the block is moved."""
-OVERLAP = 0.02
-"""mm by which they overlap where it is pushed: it has to rest on something."""
-SLIDE = 0.3
-"""mm by which it slides afterwards, where it does."""
+DEPTH = 0.15  # mm by which the block is moved down
+GAP = 0.01  # mm between the two bodies at the start, where the block is moved
+OVERLAP = 0.02  # mm by which they overlap where it is pushed: it has to rest on something
+SLIDE = 0.3  # mm by which it slides afterwards, where it does
 
 
 @dataclass(frozen=True)
@@ -93,29 +89,20 @@ def porous(
 class Scene:
     """A scene."""
 
-    about: str
-    """What it stands for."""
-    contact: str = "sliding-elastic"
-    """FEBio's type of contact."""
-    params: tuple[parts.Param, ...] = ()
-    """Its parameters."""
+    about: str  # what it stands for
+    contact: str = "sliding-elastic"  # FEBio's type of contact
+    params: tuple[parts.Param, ...] = ()  # its parameters
     slab: parts.Material | Xml = field(default_factory=elastic)
     block: parts.Material | Xml = field(default_factory=lambda: elastic(2.0))
     elements: Elements = Elements.HEX8
-    shape: Shape = Shape.CYLINDER
-    """See `slab_and_block`."""
+    shape: Shape = Shape.CYLINDER  # see `slab_and_block`
     module: str = "solid"
-    force: float | None = None
-    """N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved."""
-    slides: bool = False
-    """Whether the block slides after it has been pressed."""
+    force: float | None = None  # N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved
+    slides: bool = False  # whether the block slides after it has been pressed
     dynamic: bool = False
-    primary: str = LOWER
-    """Its surface is the primary one."""
-    stepper: bool = True
-    """Whether steps adapt themselves."""
-    fineness: int = 1
-    """Of the mesh; see `slab_and_block`."""
+    primary: str = LOWER  # its surface is the primary one
+    stepper: bool = True  # whether steps adapt themselves
+    fineness: int = 1  # of the mesh; see `slab_and_block`
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""

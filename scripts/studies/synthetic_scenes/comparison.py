@@ -24,8 +24,7 @@ from studies.synthetic_scenes import kept_runs
 POSITIONS, DISPLACEMENTS = ("x", "y", "z"), ("ux", "uy", "uz")
 DISPLACEMENT = "displacement"
 PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penalty")
-State = dict[str, Array]
-"""By kind."""
+State = dict[str, Array]  # by kind
 Change = Callable[[Element], None]
 
 

@@ -134,8 +134,7 @@ def must_points(root: Element, _: Path) -> None:
 class Edited:
     """A scene whose file is changed after it is written."""
 
-    about: str
-    """What it stands for."""
+    about: str  # what it stands for
     scene: Scene
     edit: Edit
 

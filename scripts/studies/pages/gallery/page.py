@@ -27,8 +27,7 @@ class Record:
     steps: int
     iterations: int
     retries: int
-    cpu: float
-    """Processor time, s, one thread."""
+    cpu: float  # processor time, s, one thread
 
 
 @dataclass(frozen=True)

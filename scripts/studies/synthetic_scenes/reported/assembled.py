@@ -34,8 +34,7 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.5)
-USUALLY = auto(1.0, NEAR)
-"""Parameters of a contact that a scene does not say otherwise."""
+USUALLY = auto(1.0, NEAR)  # parameters of a contact that a scene does not say otherwise
 TENSION = "<tension>1</tension>"
 _CONTROL = re.compile(r"<Control>.*?</Control>", re.DOTALL)
 _CONTACT = re.compile(r"<Contact>.*?</Contact>", re.DOTALL)

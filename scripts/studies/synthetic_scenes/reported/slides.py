@@ -28,8 +28,7 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.3)
-USUALLY = auto(1.0, NEAR)
-"""Parameters of a contact of tubes that a scene does not say otherwise."""
+USUALLY = auto(1.0, NEAR)  # parameters of a contact of tubes that a scene does not say otherwise
 BFGS = Scheme(20, updates=10)
 
 
