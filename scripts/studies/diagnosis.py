@@ -69,10 +69,7 @@ class Attempt:
 def attempts(log: str) -> list[Attempt]:
     """Every attempt at a time step, in order.
 
-    Parameters
-    ----------
-    log : str
-        The text of the log, or what febio4 printed.
+    log: the text of the log, or what febio4 printed.
     """
     starts = list(_BEGIN.finditer(log))
     ends = [match.start() for match in starts[1:]] + [len(log)]

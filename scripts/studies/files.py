@@ -44,13 +44,7 @@ def write_csv(data: Sequence[Row], kind: type[Row], path: Path, stamp: Stamp) ->
 
 
 def read_csv(path: Path, kind: type[Row]) -> list[Row]:
-    """Read what `write_csv` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one of another form.
-    """
+    """Read what `write_csv` wrote. Raises DataFileError: a missing file, or one of another form."""
     try:
         with path.open() as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))

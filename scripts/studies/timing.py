@@ -21,15 +21,8 @@ SHORT = 10.0  # s of processor time of a run that is short enough to be repeated
 def execute(model: Model, *, check: bool = True, processor_limit: float | None = None) -> Timed:
     """Run a model by itself, and keep nothing but what febio4 said and its log.
 
-    Parameters
-    ----------
-    processor_limit : float, optional
-        s of processor time after which the run is ended.
-
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError, EngineFailedError
-        See `harness.run.engine`.
+    processor_limit: s of processor time after which the run is ended.
+    Raises EngineNotFoundError, PluginNotFoundError, EngineFailedError: see `harness.run.engine`.
     """
     with TemporaryDirectory() as folder:
         path = model.write(Path(folder))

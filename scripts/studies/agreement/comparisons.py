@@ -44,13 +44,7 @@ class Row:
 
 
 def compare(name: str, folder: Path, limit: float, announce: Callable[[str], None]) -> list[Row]:
-    """Run a scene on its meshes with both interfaces.
-
-    Raises
-    ------
-    EngineFailedError
-        Where a run does not end.
-    """
+    """Run a scene on its meshes with both interfaces. Raises EngineFailedError where a run does not end."""
     meshes = MESHES[name]
     models = {f: _model(name, f) for f in meshes}
     moved = SCENES[name].force is None

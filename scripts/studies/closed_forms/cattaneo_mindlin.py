@@ -17,17 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 def stick_half_width(half_width: float, ratio: float) -> float:
     """Half-width c of the stick zone (mm).
 
-    Parameters
-    ----------
-    half_width : float
-        a of the contact, mm.
-    ratio : float
-        Q/(mu P), from 0 (all sticks) to 1 (all slips).
-
-    Raises
-    ------
-    ValueError
-        For a ratio beyond these.
+    half_width: a of the contact, mm.
+    ratio: Q/(mu P), from 0 (all sticks) to 1 (all slips).
+    Raises ValueError for a ratio beyond these.
     """
     if not 0.0 <= ratio <= 1.0:
         raise ValueError(f"Q/(mu P) must be from 0 to 1, got {ratio:g}")

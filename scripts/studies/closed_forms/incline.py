@@ -11,15 +11,8 @@ from math import sqrt
 def force_over_weight(slope: float, friction: float) -> float:
     """Horizontal force that slides the block upwards, over its weight.
 
-    Parameters
-    ----------
-    slope, friction : float
-        tan a and the friction coefficient mu.
-
-    Raises
-    ------
-    ValueError
-        Where the block is stuck under any force.
+    slope, friction: tan a and the friction coefficient mu.
+    Raises ValueError where the block is stuck under any force.
     """
     if friction * slope >= 1.0:
         raise ValueError(f"friction times slope must be less than 1, got {friction * slope:g}: the block is stuck")

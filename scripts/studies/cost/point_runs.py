@@ -57,10 +57,7 @@ class Datum:
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
     """Run points and what they are compared with; short runs of 3.3 are repeated in turn.
 
-    Raises
-    ------
-    HarnessError
-        Without an engine or plugin, or where the reference does not run.
+    Raises HarnessError without an engine or plugin, or where the reference does not run.
     """
     runs = {point: runner(point.model(), check=False) for point in points}
     whole = {p: run for p, run in runs.items() if p.problem is Problem.INDENTATION and run.report.normal}

@@ -69,10 +69,7 @@ def differences(one: RunResult, two: RunResult) -> dict[str, float]:
 def compare(comparison: Comparison, runners: Sequence[Runner]) -> list[Measure]:
     """Run a model with two engines, and measure the difference of each nodal variable.
 
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError, EngineFailedError
-        See `harness.run.engine`.
+    Raises EngineNotFoundError, PluginNotFoundError, EngineFailedError: see `harness.run.engine`.
     """
     model = strict(comparison.model(), comparison.floor)
     one, two = (runner(model) for runner in runners)

@@ -134,10 +134,7 @@ class Datum:
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
     """Run points; short runs of partial slip are repeated in turn.
 
-    Raises
-    ------
-    HarnessError
-        Without an engine or plugin, or where the conforming reference does not run.
+    Raises HarnessError without an engine or plugin, or where the conforming reference does not run.
     """
     runs = {point: point.run(runner) for point in points}
     slipping = {p: run for p, run in runs.items() if p.problem is Problem.PARTIAL and run.report.normal}

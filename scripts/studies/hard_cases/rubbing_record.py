@@ -56,10 +56,7 @@ class Record:
 def make(runner: Runner, name: str, mesh: Fineness, febio: Sequence[Interface] = ()) -> Record:
     """Run a case with friction and without, and with FEBio's.
 
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError
-        See `harness.run.engine`.
+    Raises EngineNotFoundError, PluginNotFoundError: see `harness.run.engine`.
     """
     case = CASES[name]
     run = runner(case.scene.model(mesh, Interface.MIXTURE), check=False)

@@ -55,10 +55,7 @@ def assembled(
 ) -> Mesh:
     """One mesh of bodies that share no nodes; each is a part whose material has its name.
 
-    Raises
-    ------
-    ModelError
-        Where a set or surface is empty: nothing of the mesh lies there.
+    Raises ModelError where a set or surface is empty: nothing of the mesh lies there.
     """
     names = list(bodies)
     ends = np.cumsum([len(body.nodes) for body in bodies.values()]).tolist()

@@ -38,17 +38,9 @@ class _Middles:
 def quadratic(mesh: Mesh, nodes: int) -> Mesh:
     """The same mesh with quadratic elements.
 
-    Parameters
-    ----------
-    mesh : Mesh
-        Of hex8, penta6 and tet4.
-    nodes : int
-        Of a hexahedron, 20 or 27. Prisms have 15, so their quadrilateral faces suit 20; tetrahedra have 10.
-
-    Returns
-    -------
-    Mesh
-        A new node is in a set if all nodes that it lies between are.
+    mesh: of hex8, penta6 and tet4.
+    nodes: of a hexahedron, 20 or 27. Prisms have 15, so their quadrilateral faces suit 20; tetrahedra have 10.
+    Returns: a new node is in a set if all nodes that it lies between are.
     """
     middle = _Middles(mesh.nodes)
     parts = tuple(_part(part, nodes, middle) for part in mesh.parts)

@@ -22,13 +22,7 @@ def quoted(text: str) -> list[str]:
 
 
 def said_first(name: str) -> str:
-    """What a page of evidence says first.
-
-    Raises
-    ------
-    DataFileError
-        For a page that says nothing in bold.
-    """
+    """What a page of evidence says first. Raises DataFileError for a page that says nothing in bold."""
     found = _SAID.search((REPOSITORY / name).read_text(encoding="utf-8"))
     if not found:
         raise DataFileError(f"{name} has no line in bold that says what it found")

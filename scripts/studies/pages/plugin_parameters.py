@@ -41,10 +41,7 @@ NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}  # by the 
 def printed() -> str:
     """The types and parameters as the embedded engine prints them.
 
-    Raises
-    ------
-    EngineNotFoundError
-        Where the engine is not built.
+    Raises EngineNotFoundError where the engine is not built.
     """
     command = [str(hosts.find_standalone()), "--contact-types"]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -53,10 +50,7 @@ def printed() -> str:
 def page(parameters: Sequence[Parameter] = PLUGIN_TYPES[MIXTURE]) -> str:
     """The text of the page.
 
-    Raises
-    ------
-    DataFileError
-        Where the notes and the code do not name the same parameters, or the same headings.
+    Raises DataFileError where the notes and the code do not name the same parameters, or the same headings.
     """
     titles = list(dict.fromkeys(_title(parameter) for parameter in parameters))
     odd = {parameter.name for parameter in parameters} ^ set(NOTES) | set(titles) ^ set(ABOUT)

@@ -29,10 +29,7 @@ def write(results: Stamped[Row], path: Path) -> None:
 def read(path: Path, row: Callable[..., Row], command: str) -> Stamped[Row]:
     """Read what `write` wrote; each row is made by `row` from its entries.
 
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that holds no such results; it names the command that writes them.
+    Raises DataFileError: a missing file, or one that holds no such results; it names the command that writes them.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))

@@ -119,13 +119,7 @@ class Joint(NamedTuple):
 
 
 def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
-    """The rows by scene.
-
-    Raises
-    ------
-    DataFileError
-        Where a scene lacks one of its contacts.
-    """
+    """The rows by scene. Raises DataFileError where a scene lacks one of its contacts."""
     scenes = tables.grouped(prices, lambda price: price.scene)
     for name, own in scenes.items():
         if [price.type for price in own[:-1]] != [OURS, PREDICTED]:

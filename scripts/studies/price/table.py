@@ -61,10 +61,7 @@ def entries(log: str) -> int:
 def read(log: str) -> list[Times]:
     """The tables of a log, one per contact; none for a run that was ended before its time.
 
-    Raises
-    ------
-    DataFileError
-        Where a table is incomplete or not one of numbers.
+    Raises DataFileError where a table is incomplete or not one of numbers.
     """
     lines = log.splitlines()
     return [_table(match["name"], lines[i + 1 :]) for i, line in enumerate(lines) if (match := _TITLE.match(line))]

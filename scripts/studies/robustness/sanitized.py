@@ -43,10 +43,8 @@ class Plugin:
 def build() -> Plugin:
     """Build the library in the folder of the sanitizers, `BUILD`.
 
-    Raises
-    ------
-    HarnessError
-        Where the build fails, with the end of what it said, or where the compiler brings no address sanitizer.
+    Raises HarnessError where the build fails, with the end of what it said, or where the compiler brings no address
+        sanitizer.
     """
     ninja = REPOSITORY / ".venv" / "bin" / "ninja"
     made = [f"-DCMAKE_MAKE_PROGRAM={ninja}"] if ninja.exists() else []

@@ -65,10 +65,7 @@ def _converted(original: Path, folder: Path, limit: float, state: State | None, 
 def write_converted(original: Path, folder: Path, change: Change) -> Path:
     """Write a model into another folder, converted and with a change of each contact, and return its path.
 
-    Raises
-    ------
-    HarnessError
-        Where it cannot be converted.
+    Raises HarnessError where it cannot be converted.
     """
     made_by_runs = shutil.ignore_patterns("*.txt", "*.log", kept_runs.NAME)
     shutil.copytree(original.parent, folder, dirs_exist_ok=True, ignore=made_by_runs)

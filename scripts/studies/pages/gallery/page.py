@@ -47,13 +47,7 @@ def record(result: RunResult) -> Record:
 
 
 def read(folder: Path) -> Results:
-    """What `write` wrote into `folder`.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that holds no such results.
-    """
+    """What `write` wrote into `folder`. Raises DataFileError: a missing file, or one that holds no such results."""
     path = folder / DATA
     try:
         data = json.loads(path.read_text())

@@ -162,14 +162,9 @@ def arc(
 ) -> Place:
     """A ring or part of one around the z axis, in the middle of `length`: x goes outwards, y around, z along.
 
-    Parameters
-    ----------
-    inner, outer, length : float
-        mm.
-    angles : tuple of float
-        Degrees from the x axis.
-    flare : float
-        By how much (mm) both radii grow from the first end to the last.
+    inner, outer, length: mm.
+    angles: degrees from the x axis.
+    flare: by how much (mm) both radii grow from the first end to the last.
     """
     begin, end = np.radians(angles)
 
