@@ -66,5 +66,4 @@ def _is_done(arguments: Sequence[str], log: TextIO) -> bool:
 
 
 def _environment() -> dict[str, str]:
-    """Commands find the studies from any folder."""
     return {**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts")}

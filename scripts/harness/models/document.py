@@ -158,7 +158,6 @@ def _mesh(mesh: Mesh, springs: Iterable[parts.Springs], root: parts.Element) -> 
 
 
 def _element_type(nodes: int) -> str:
-    """FEBio's name of a solid element with this many nodes."""
     shape = {4: "tet", 10: "tet", 6: "penta", 15: "penta"}.get(nodes, "hex")
     return f"{shape}{nodes}"
 

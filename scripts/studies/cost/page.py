@@ -92,7 +92,6 @@ def _compared(own: Datum, fastest: Datum | None) -> str:
 
 
 def _febio(data: Sequence[Datum], problem: Problem) -> list[Datum]:
-    """Runs of a problem with FEBio's interfaces."""
     return [d for d in pareto.comparable(data, problem) if d.interface != OURS]
 
 
@@ -122,7 +121,6 @@ def _theirs(own: Datum, good: Sequence[Datum]) -> str:
 
 
 def _time(datum: Datum) -> str:
-    """Processor time in words."""
     if datum.problem == Problem.INDENTATION.value:
         return f"{pareto.cost_of(datum):.1f} s"
     return f"{pareto.cost_of(datum):.2f} times the time of one body"

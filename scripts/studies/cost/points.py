@@ -113,7 +113,6 @@ class Point:
         return _BUILDERS[self.problem](self, interface or self.interface)
 
     def _control(self, control: Control) -> Control:
-        """The same with the tolerances of this point."""
         if self.parameter is not Parameter.NEWTON:
             return control
         return replace(

@@ -55,7 +55,6 @@ def _completed(runs: Sequence[Outcome]) -> int:
 
 
 def _missing(runs: Sequence[Outcome]) -> list[Outcome]:
-    """Runs that end and miss checks."""
     return [run for run in runs if run.end is outcomes.End.MISSES]
 
 

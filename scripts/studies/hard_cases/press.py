@@ -99,7 +99,6 @@ class Press:
         return finished(Model(*about, made, materials, conditions, control, joined, curves), interface)
 
     def _gap(self, mesh: Fineness) -> float:
-        """Mm."""
         return self.gap / self._elements(mesh)[1][2] if self.in_elements else self.gap
 
     def _elements(self, mesh: Fineness) -> tuple[tuple[int, int, int], tuple[int, int, int]]:

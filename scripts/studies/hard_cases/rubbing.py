@@ -76,7 +76,6 @@ def _slide(
     solid_fraction: float = SOLID_FRACTION,
     least: float = 0.5,
 ) -> Pushed:
-    """A block on a track."""
     bounds = partial(held_back, friction=friction, least=least)
     return Pushed(track, block, along(path), times, bounds, extra=rubs(friction, solid_fraction))
 

@@ -71,7 +71,6 @@ def answers(runner: Runner) -> dict[Way, KneeRun]:
 
 
 def _swapped(model: Model) -> Model:
-    """The model with the secondary surface of each pair as primary."""
     pairs = {name: (secondary, primary) for name, (primary, secondary) in model.mesh.pairs.items()}
     return replace(model, mesh=replace(model.mesh, pairs=pairs))
 

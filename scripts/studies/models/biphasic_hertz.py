@@ -135,7 +135,6 @@ class BiphasicHertz(ABC):
         )
 
     def _times(self) -> NDArray[np.float64]:
-        """Ends of the time steps, s."""
         (_, _), (ramp, _), (end, _) = self.load.points
         pressing = np.linspace(0.0, ramp, PRESSING + 1)[1:]
         return np.concatenate([pressing, (ramp + graded(end - ramp, HOLDING, GROWTH))[1:]])

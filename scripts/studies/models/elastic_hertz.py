@@ -90,5 +90,4 @@ def _outside(x: Points) -> NDArray[np.bool_]:
 
 
 def _near(x: Points) -> NDArray[np.bool_]:
-    """Positions within two radii of the contact."""
     return np.asarray(np.maximum(x[..., 0], x[..., 1]) < 2.0 * CONTACT_RADIUS)

@@ -79,7 +79,6 @@ class Graft:
         )
 
     def _mesh(self) -> Mesh:
-        """Both bodies before the press fit: the graft's side overlaps the wall."""
         node_sets = {
             "host": everywhere("host"),
             "symmetry-x": plane("x", 0.0),

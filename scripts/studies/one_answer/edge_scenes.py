@@ -183,7 +183,6 @@ def _joined(mesh: Mesh, inside: Callable[[Nodes], bool]) -> Mesh:
 
 
 def _beyond(mesh: Mesh, surface: str) -> Ids:
-    """Facets of a surface that are not joined."""
     facets = mesh.surfaces[surface]
     return np.asarray(facets[mesh.nodes[facets - 1, 0].mean(axis=1) > 1.0])
 

@@ -30,7 +30,6 @@ def page(app: typer.Typer, installed: Container[str]) -> str:
 
 
 def _summary() -> str:
-    """What the script says of itself."""
     script = (REPOSITORY / "scripts" / "mixcontact").read_text(encoding="utf-8")
     return ast.get_docstring(ast.parse(script)) or ""
 

@@ -181,7 +181,6 @@ def _counts(rows: Sequence[Row], runs: Sequence[Took]) -> tuple[int, int, int]:
 
 
 def _apart(rows: Sequence[Row]) -> str:
-    """By how much the answers differ."""
     both = [row.converted for row in rows if row.converted.ended]
     displacements = sorted(took.difference for took in both if not math.isnan(took.difference))
     fields = [took.of_fields for took in both if not math.isnan(took.of_fields)]
@@ -196,7 +195,6 @@ def _apart(rows: Sequence[Row]) -> str:
 
 
 def _predictor(rows: Sequence[Row]) -> str:
-    """What the predictor does to the runs without penalties."""
     runs = [(row.defaults, row.predicted) for row in rows if row.predicted.available]
     both = [(plain, predicted) for plain, predicted in runs if plain.ended and predicted.ended]
     without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
@@ -208,7 +206,6 @@ def _predictor(rows: Sequence[Row]) -> str:
 
 
 def _limit(rows: Sequence[Row]) -> str:
-    """Which runs the limit ended."""
     ways = ("febio", "converted", "defaults", "predicted")
     counts = [sum(getattr(row, way).at_limit for row in rows) for way in ways]
     names = ("FEBio's", "converted", "penalties deleted", "with the predictor")

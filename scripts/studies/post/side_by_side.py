@@ -54,7 +54,6 @@ def _image(run: Shown, largest: float, camera: Sequence[tuple[float, ...]]) -> N
 
 
 def _cropped(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The image without its white border."""
     inked = np.any(image < 255, axis=2)
     rows, columns = (np.flatnonzero(np.any(inked, axis=axis)) for axis in (1, 0))
     return image[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]

@@ -149,7 +149,6 @@ def details(joints: Sequence[Joint]) -> str:
 
 
 def _both(joints: Sequence[Joint]) -> list[tuple[JointPrice, JointPrice]]:
-    """Runs of ours and of FEBio's in the scenes that both complete."""
     return [(joint.ours, joint.febio) for joint in joints if joint.ours.ended and joint.febio.ended]
 
 

@@ -128,7 +128,6 @@ def _difference(febio: Array, ours: Array) -> float:
 
 
 def _reason(report: febio_log.Report, cpu: float, limit: float) -> str:
-    """Why a run did not end."""
     if at_limit(report.normal, cpu, limit):
         return AT_LIMIT
     return "; ".join(report.errors) or "no normal termination"

@@ -212,7 +212,6 @@ def _soaked(draw: Draw) -> Sketch:
 
 
 def _layers(draw: Draw) -> Sketch:
-    """Three or four layers on each other."""
     names = [f"layer{n}" for n in range(draw.pick([3, 4]))]
     bodies: dict[str, Shape] = {}
     at = 0.0

@@ -79,7 +79,6 @@ GLUCOSE = (parts.Solute(1, diffusivity=6e-4, free_diffusivity=9e-4),)
 
 
 def _porous(solutes: tuple[parts.Solute, ...] = ()) -> tuple[parts.Mixture, parts.Mixture]:
-    """Cartilage and menisci."""
     cartilage = Fibrous(0.65, 0.1, fibres={AROUND: 12.0, ACROSS: 12.0, UP: 12.0})
     meniscus = Fibrous(0.18, 0.3, fibres={AROUND: 150.0, ACROSS: 20.0, UP: 20.0})
     return parts.Mixture(cartilage, 1.2e-3, solutes=solutes), parts.Mixture(meniscus, 1.5e-3, solutes=solutes)

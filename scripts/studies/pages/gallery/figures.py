@@ -67,7 +67,6 @@ def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
 
 
 def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
-    """The name of each part at its middle."""
     for part in mesh.parts:
         x, y = positions[np.unique(section.facets(mesh, part.elements))][:, [section.across, section.up]].T
         middle = 0.0 if section.mirrored else 0.5 * (x.min() + x.max())

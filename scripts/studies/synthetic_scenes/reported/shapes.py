@@ -87,7 +87,6 @@ def _with_middles(body: Body, element: str) -> tuple[Nodes, Facets]:
 
 
 def _is_right_handed(nodes: Nodes, element: str) -> bool:
-    """Whether the edges at the first corner of an element turn the right way."""
     along = (1, 3, 4) if element.startswith("hex") else (1, 2, 3)
     return bool(np.linalg.det(np.stack([nodes[k] - nodes[0] for k in along])) > 0.0)
 

@@ -13,7 +13,6 @@ USUALLY = auto(1.0, radius(0.5))  # parameters of a contact that a scene does no
 
 
 def _bone(outer: float, x: float = 0.0) -> Shape:
-    """A rigid cylinder along y."""
     return mapped((2, 24, 3), shifted(turned(arc(0.5 * outer, outer, 3.0), "x", 90.0), (x, 0.0, 0.0)))
 
 
