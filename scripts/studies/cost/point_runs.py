@@ -101,9 +101,9 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
 
 def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, float, float]]:
     """Median wall and processor time (s) of a model; median, least, largest ratio of the latter to its reference's."""
-    pairs = timing.beside(model, reference, PAIRS)
-    walls, times = (run.wall for run, _ in pairs), (run.cpu for run, _ in pairs)
-    return median(walls), median(times), timing.spread([run.cpu / other.cpu for run, other in pairs])
+    own, others = timing.interleave({"own": model, "reference": reference}, PAIRS).values()
+    walls, times = (run.wall for run, _ in own), (run.cpu for run, _ in own)
+    return median(walls), median(times), timing.spread(timing.ratios(own, others))
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:

@@ -157,8 +157,8 @@ def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float
     """The error of a sheared block, and its times over those of the conforming reference, run in turn."""
     joined = ShearedBlocks(Kind.BIPHASIC, InterfaceType.CONFORMING, name="friction-cost-conforming")
     reference = runner(joined.model())
-    pairs = timing.beside(run.model, reference.model, PAIRS)
-    return displaced(run, reference), [own.cpu / other.cpu for own, other in pairs]
+    own, others = timing.interleave({"own": run.model, "reference": reference.model}, PAIRS).values()
+    return displaced(run, reference), timing.ratios(own, others)
 
 
 LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)  # errors at which interfaces are compared

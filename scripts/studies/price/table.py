@@ -1,14 +1,14 @@
 """Reads the table of times that each contact writes at the end of a run."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 from harness.errors import DataFileError
 from studies import timing
 from studies.price.scenes import Scene
 from studies.stamps import LIMIT
+from studies.timing import Announce
 
 _TITLE = re.compile(r'^sliding-mixture "(?P<name>.*)": time in the contact \[s\]$')
 _SHARE = re.compile(r"^ +share of the run: [-\d.e+]+ percent of (?P<run>[-\d.e+]+) s$")
@@ -23,10 +23,8 @@ TASKS = ("search", "residual", "stiffness", "augmentation", "output")
 class Times:
     """What one contact cost in one run."""
 
-    contact: str  # its name in the model
     seconds: dict[str, dict[str, float]]
     """By task, one of `TASKS`, and then by effect: ``shared``, ``traction``, ``solvent``, ``solute 1`` and so on."""
-    host: float  # s of all these that the host takes for its own assembly
     run: float  # s, of the whole run
     points: int  # integration points that see the other surface; 0 where there was no contact
     memory: int  # bytes that the contact keeps for each of them
@@ -38,14 +36,9 @@ class Times:
         return {name: sum(task[name] for task in self.seconds.values()) for name in names}
 
     @property
-    def total(self) -> float:
-        """s, of everything that the contact does."""
-        return sum(self.effects.values())
-
-    @property
     def share(self) -> float:
         """Part of the run's time that the contact takes."""
-        return self.total / self.run
+        return sum(self.effects.values()) / self.run
 
 
 def unknowns(log: str) -> int:
@@ -72,13 +65,12 @@ def _table(name: str, lines: list[str]) -> Times:
         effects = _COLUMNS.split(lines[0].strip())[:-2]
         rows = [_COLUMNS.split(line.strip()) for line in lines[1 : len(TASKS) + 1]]
         seconds = {row[0]: dict(zip(effects, map(float, row[1:-2]), strict=True)) for row in rows}
-        host = float(_COLUMNS.split(lines[len(TASKS) + 1].strip())[-1])
         share = _SHARE.match(lines[len(TASKS) + 2])
         kept = _MEMORY.match(lines[len(TASKS) + 3])
         points, memory = (int(kept["points"]), int(kept["bytes"])) if kept else (0, 0)
         if tuple(seconds) != TASKS or not share:
             raise ValueError(f"tasks {', '.join(seconds)}")
-        return Times(name, seconds, host, float(share["run"]), points, memory)
+        return Times(seconds, float(share["run"]), points, memory)
     except (IndexError, ValueError) as error:
         raise DataFileError(f'the log\'s table of times of the contact "{name}" is not one ({error})') from error
 
@@ -100,13 +92,10 @@ class EffectCost:
     entries: int
 
 
-def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[EffectCost]:
+def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Announce) -> list[EffectCost]:
     """Run all scenes in turn, `repetitions` times."""
-    runs = timing.interleave(
-        {name: partial(timing.execute, scene.model(), processor_limit=LIMIT) for name, scene in scenes.items()},
-        repetitions,
-        lambda name, number: announce(f"{name} ({number} of {repetitions})"),
-    )
+    models = {name: scene.model() for name, scene in scenes.items()}
+    runs = timing.interleave(models, repetitions, announce, processor_limit=LIMIT)
     return [cost for name, found in runs.items() for cost in costs(name, [log for _, log in found])]
 
 
