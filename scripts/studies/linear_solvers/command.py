@@ -18,9 +18,9 @@ from harness.models.interface import ContactSettings
 from harness.models.parts import Control
 from harness.paths import RESULTS
 from harness.run import engine, logdata, provenance
-from studies import feb, stamps
+from studies import feb, files, stamps
 from studies.options import console
-from studies.pages import linear_solver_results, stamped_rows
+from studies.pages import linear_solver_results
 from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS, Outcome, Solver, Trial
 
 TOLERANCE = 1e-3
@@ -110,6 +110,6 @@ def linear_solvers(
     ]
     known_rows = linear_solver_results.read(data).rows if data.is_file() else []
     results = linear_solver_results.Results(stamp, linear_solver_results.renewed(known_rows, made))
-    stamped_rows.write(results, data)
+    files.write_stamped(results, data)
     console.print(linear_solver_results.table(results.rows), markup=False)
     console.print(f"Written: {data}")

@@ -1,17 +1,18 @@
 """Porous scenes with an edge of contact: a punch, a load, a slide, and a crack that closes and opens."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from lxml import etree
 
-from harness.arrays import Ids
+from harness.arrays import Ids, Mask
 from harness.models import parts
 from harness.models.document import Model
-from harness.models.mesh import Box, Mesh, Nodes, assemble
+from harness.models.mesh import Box, Mesh, assemble
 from studies import feb
-from studies.feb import Feb
-from studies.one_answer.tet15 import with_tet15
+from studies.feb import Feb, only
+from studies.models.quadratic import Middles
 from studies.synthetic_scenes.slab_and_block import (
     BASE,
     BLOCK,
@@ -138,7 +139,8 @@ class Scene:
         lower = Box(SLAB, SLAB, (0.0, 0.0, 0.0), (3.0, 1.0, 1.0), (9, 2, 3))
         upper = Box(BLOCK, BLOCK, (0.0, 0.0, 1.0), (3.0, 1.0, 1.0), (9, 2, 3))
         apart = assemble([lower, upper])
-        joined = _joined(apart, lambda x: bool(abs(x[2] - 1.0) < 1e-9 and x[0] < 1.0 + 1e-9))
+        x, _, z = apart.nodes.T
+        joined = _joined(apart, (abs(z - 1.0) < 1e-9) & (x < 1.0 + 1e-9))
         beyond = {
             LOWER: _beyond(joined, f"{BLOCK}-bottom"),
             UPPER: _beyond(joined, f"{SLAB}-top"),
@@ -162,18 +164,12 @@ class Scene:
         return self._model(name, mesh, conditions, (path,))
 
 
-def _joined(mesh: Mesh, inside: Callable[[Nodes], bool]) -> Mesh:
-    """With one node in place of two where they coincide and lie inside."""
-    first: dict[tuple[float, ...], int] = {}
-    new = np.arange(1, len(mesh.nodes) + 1)
-    kept = []
-    for number, x in enumerate(mesh.nodes):
-        key = tuple(np.round(x, 9).tolist())
-        if inside(x) and key in first:
-            new[number] = first[key]
-            continue
-        kept.append(number)
-        new[number] = first[key] = len(kept)
+def _joined(mesh: Mesh, inside: Mask) -> Mesh:
+    """With one node in place of two where they coincide and are inside."""
+    keys = np.column_stack([np.round(mesh.nodes, 9), np.where(inside, -1, np.arange(len(mesh.nodes)))])
+    _, first, place = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    kept = np.sort(first)
+    new = np.searchsorted(kept, first[place]) + 1
     return Mesh(
         mesh.nodes[kept],
         tuple(replace(part, elements=new[part.elements - 1]) for part in mesh.parts),
@@ -203,3 +199,34 @@ SCENES: Mapping[str, Scene] = {
     **_BIPHASIC,
     **{f"solute-{name}": replace(scene, solute=True) for name, scene in _BIPHASIC.items()},
 }
+
+
+TET_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+"""Corners of the faces, in the order in which FEBio has their nodes after those of the edges."""
+
+
+def _numbers(text: str | None) -> list[int]:
+    return [int(number) for number in (text or "").split(",")]
+
+
+def with_tet15(model: Feb) -> Feb:
+    """The same model with tetrahedra of 15 nodes in place of those of 10."""
+    made = model.copy()
+    mesh = only(made.root, "Mesh")
+    nodes = only(mesh, "Nodes")
+    middle = Middles(np.array([[float(value) for value in (node.text or "").split(",")] for node in nodes]))
+    for group in mesh.iter("Elements"):
+        group.set("type", "tet15")
+        for element in group:
+            ids = _numbers(element.text)
+            faces = [middle([ids[corner] for corner in face]) for face in TET_FACES]
+            element.text = ",".join(map(str, [*ids, *faces, middle(ids[:4])]))
+    for facet in list(mesh.iter("tri6")):
+        ids = _numbers(facet.text)
+        facet.tag = "tri7"
+        facet.text = ",".join(map(str, [*ids, middle(ids[:3])]))
+    for nodes_of in mesh.iter("NodeSet"):
+        nodes_of.text = ",".join(map(str, middle.grown(_numbers(nodes_of.text))))
+    for number, position in enumerate(middle.positions[len(nodes) :], len(nodes) + 1):
+        etree.SubElement(nodes, "node", id=str(number)).text = ",".join(f"{value:.12g}" for value in position)
+    return made

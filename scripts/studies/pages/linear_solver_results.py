@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
-from studies import tables
-from studies.pages import stamped_rows
-from studies.pages.stamped_rows import Stamped
+from studies import files, tables
+from studies.files import Stamped
 from studies.pages.texts import page_text
 
 PAGE = "reference/linear-solvers.md"
@@ -81,8 +80,8 @@ HEAD = page_text("linear-solvers")
 
 
 def read(path: Path) -> Results:
-    """Read what the command wrote, as `stamped_rows.read` does."""
-    return stamped_rows.read(path, Trial, "linear-solvers")
+    """Read what the command wrote, as `files.read_stamped` does."""
+    return files.read_stamped(path, Trial, "linear-solvers")
 
 
 def renewed(known: Sequence[Trial], made: Sequence[Trial]) -> list[Trial]:

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from studies import tables
-from studies.pages import stamped_rows
-from studies.pages.stamped_rows import Stamped
+from studies import files, tables
+from studies.files import Stamped
 from studies.pages.texts import page_text
 
 PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
@@ -91,8 +90,8 @@ Results = Stamped[Row]
 
 
 def read(path: Path) -> Results:
-    """Read what the command wrote, as `stamped_rows.read` does."""
-    return stamped_rows.read(path, _row, "synthetic-scenes --docs")
+    """Read what the command wrote, as `files.read_stamped` does."""
+    return files.read_stamped(path, _row, "synthetic-scenes --docs")
 
 
 def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> Row:
