@@ -12,11 +12,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
-def combined_modulus(first: tuple[float, float], second: tuple[float, float]) -> float:
-    """E* (MPa) in plane strain from (E, nu) of the two bodies: 1/E* = SUM (1 - nu^2)/E."""
-    return 1.0 / sum((1.0 - nu**2) / modulus for modulus, nu in (first, second))
-
-
 def half_width(force: float, radius: float, modulus: float) -> float:
     """Half-width a = sqrt(4 F R/(pi E*)), mm, for the force per length F (N/mm), radius R (mm) and E* (MPa)."""
     return sqrt(4.0 * force * radius / (pi * modulus))
@@ -41,11 +36,6 @@ def sphere_radius(force: float, radius: float, modulus: float) -> float:
 def sphere_peak_pressure(force: float, radius: float, modulus: float) -> float:
     """Peak pressure p0 = 3 F/(2 pi a^2), MPa."""
     return 1.5 * force / (pi * sphere_radius(force, radius, modulus) ** 2)
-
-
-def sphere_approach(force: float, radius: float, modulus: float) -> float:
-    """Approach delta = a^2/R, mm, of points far from the contact."""
-    return sphere_radius(force, radius, modulus) ** 2 / radius
 
 
 class HalfEllipse(NamedTuple):

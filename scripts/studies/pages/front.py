@@ -6,19 +6,15 @@ from harness.errors import DataFileError
 from harness.paths import REPOSITORY
 
 PAGE = "../README.md"  # from docs/
-_QUOTED = re.compile(r"^(\| \[[^\]]+\]\((docs/evidence/[\w-]+\.md)\) \|) .* \|$", re.MULTILINE)
+# A row that quotes a page: how it begins, and the page.
+QUOTED = re.compile(r"^(\| \[[^\]]+\]\((docs/evidence/[\w-]+\.md)\) \|) .* \|$", re.MULTILINE)
 _SAID = re.compile(r"^\*\*(.+)\*\*$", re.MULTILINE)
 
 
 def page() -> str:
     """README with what the pages say now."""
     text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
-    return _QUOTED.sub(lambda line: f"{line[1]} {said_first(line[2])} |", text)
-
-
-def quoted(text: str) -> list[str]:
-    """The rows of a text that quote a page of evidence."""
-    return [line[0] for line in _QUOTED.finditer(text)]
+    return QUOTED.sub(lambda line: f"{line[1]} {said_first(line[2])} |", text)
 
 
 def said_first(name: str) -> str:
