@@ -9,7 +9,7 @@ from math import pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 
 def half_width(force: float, radius: float, modulus: float) -> float:
@@ -20,12 +20,6 @@ def half_width(force: float, radius: float, modulus: float) -> float:
 def peak_pressure(force: float, radius: float, modulus: float) -> float:
     """Peak pressure p0 = sqrt(F E*/(pi R)), MPa; arguments as in `half_width`."""
     return sqrt(force * modulus / (pi * radius))
-
-
-def pressure(x: ArrayLike, force: float, radius: float, modulus: float) -> NDArray[np.float64]:
-    """Contact pressure (MPa) at the distances `x` (mm) from the middle; 0 outside the contact."""
-    inside = np.maximum(0.0, 1.0 - (np.asarray(x, dtype=float) / half_width(force, radius, modulus)) ** 2)
-    return np.asarray(peak_pressure(force, radius, modulus) * np.sqrt(inside))
 
 
 def sphere_radius(force: float, radius: float, modulus: float) -> float:

@@ -5,14 +5,12 @@ say comes from texts/parameter_notes.json.
 """
 
 import json
-import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from harness.errors import DataFileError
 from harness.preflight.contact_types import MIXTURE
 from harness.preflight.plugin_types import FILE, PLUGIN_TYPES, Parameter
-from harness.run import hosts
 from studies import tables
 from studies.pages.texts import FOLDER, page_text
 
@@ -36,15 +34,6 @@ class Note:
 _SAID = json.loads((FOLDER / "parameter_notes.json").read_text(encoding="utf-8"))
 ABOUT: dict[str, str] = _SAID["groups"]  # a sentence on each group of parameters, by its heading
 NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}  # by the names of the parameters
-
-
-def printed() -> str:
-    """The types and parameters as the embedded engine prints them.
-
-    Raises EngineNotFoundError where the engine is not built.
-    """
-    command = [str(hosts.find_standalone()), "--contact-types"]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def page(parameters: Sequence[Parameter] = PLUGIN_TYPES[MIXTURE]) -> str:

@@ -45,11 +45,6 @@ def cylinder(radius_: float, length: float, centre: tuple[float, float, float]) 
     return shifted(turned(arc(0.4 * radius_, radius_, length), "x", 90.0), centre)
 
 
-def weight(density: float) -> str:
-    """Gravity, downwards, mm/s^2; `density` scales it."""
-    return f'<body_load type="body force"><force lc="1">0,0,{-9810.0 * density:g}</force></body_load>'
-
-
 class InTwoSteps(Sketch):
     """A model whose contacts begin in the second of two steps of the analysis."""
 
