@@ -51,10 +51,7 @@ def friction_cases(
         raise typer.Exit(1)
 
 
-def friction_benchmarks(
-    folder: Site = RESULTS / "friction-benchmarks",
-    limit: Limit = LIMIT,
-) -> None:
+def friction_benchmarks(folder: Site = RESULTS / "friction-benchmarks", limit: Limit = LIMIT) -> None:
     """Turn a hemisphere on a block, press concentric spheres, on two meshes each, and compare with published curves."""
     runner = Runner(RESULTS / "runs", processor_limit=limit)
     rows: list[Row] = []
@@ -72,10 +69,7 @@ def friction_benchmarks(
     console.print(f"Written: {folder / 'data' / curves_table.SOURCE}, {picture}")
 
 
-def friction_cost(
-    folder: Site = RESULTS / "friction-cost",
-    limit: Limit = LIMIT,
-) -> None:
+def friction_cost(folder: Site = RESULTS / "friction-cost", limit: Limit = LIMIT) -> None:
     """Measure elastic slip against time, by tangential penalty and with AUGLAG."""
     runner = Runner(RESULTS / "friction-cost" / "runs", processor_limit=limit)
     data = stick_points.measure(stick_points.points(), runner)

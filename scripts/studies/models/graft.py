@@ -87,10 +87,7 @@ class Graft:
             "host-side": cylinder(OUTER, "host"),
             "host-top": plane("z", HEIGHT, "host"),
         }
-        surfaces = {
-            "wall": cylinder(DEFECT, "host"),
-            "graft-side": cylinder(DEFECT + PRESS_FIT, "graft"),
-        }
+        surfaces = {"wall": cylinder(DEFECT, "host"), "graft-side": cylinder(DEFECT + PRESS_FIT, "graft")}
         heights = [HEIGHT * level / self.up for level in range(self.up + 1)]
         bodies = {"host": self._host(heights), "graft": disk(DEFECT + PRESS_FIT, self.around, heights)}
         return assembled(bodies, node_sets, surfaces, {"wall": ("graft-side", "wall")})

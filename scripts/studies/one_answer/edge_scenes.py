@@ -141,10 +141,7 @@ class Scene:
         apart = assemble([lower, upper])
         x, _, z = apart.nodes.T
         joined = _joined(apart, (abs(z - 1.0) < 1e-9) & (x < 1.0 + 1e-9))
-        beyond = {
-            LOWER: _beyond(joined, f"{BLOCK}-bottom"),
-            UPPER: _beyond(joined, f"{SLAB}-top"),
-        }
+        beyond = {LOWER: _beyond(joined, f"{BLOCK}-bottom"), UPPER: _beyond(joined, f"{SLAB}-top")}
         pair = (LOWER, UPPER) if self.primary == LOWER else (UPPER, LOWER)
         sets = joined.node_sets | {
             SLAB: np.unique(joined.parts[0].elements),

@@ -84,10 +84,7 @@ class Groove:
         secondary = "groove-x0" if self.primary == "cylinder-x1" else "cylinder-x1"
         material = biphasic() if self.porous else neo()
         return Sketch(
-            {
-                "groove": mapped(cells[0], groove, self.element),
-                "cylinder": mapped(cells[1], held, self.element),
-            },
+            {"groove": mapped(cells[0], groove, self.element), "cylinder": mapped(cells[1], held, self.element)},
             {"groove": material, "cylinder": material},
             (Touch(self.primary, secondary, self.kind, self.params),),
             (
