@@ -2,8 +2,6 @@
 pages, draw formulas, and refuse generated pages that are out of date and pages that fetch from the network.
 """
 
-from __future__ import annotations
-
 import html
 import re
 import sys

@@ -7,8 +7,6 @@ those of the commands for users. Exit code 1: something was found.
 Comments of the plugin's headers and sources follow the rules on subjects and words.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

@@ -5,8 +5,6 @@
 A word is what stands between spaces and has a letter in it, in text, tables, code and formulas alike.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Sentences of a page of Markdown, without code, formulas and raw HTML."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Files of measured data, a frozen dataclass of plain values per row, as JSON or as a table; and of pictures."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Callable, Sequence
