@@ -1,4 +1,4 @@
-"""The command `fuzz`."""
+"""The command `fuzz`, and what one seed gives."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""The command `linear-solvers`."""
+"""The command `linear-solvers`, and its runs."""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,4 @@
-"""The answers of a scene in all ways, and how far each is from the one that it is compared with."""
+"""The ways in which one answer is asked for, the answers of a scene, and how far each is from another one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reads the table of times that each contact writes at the end of a run."""
+"""The table of times that each contact writes at the end of a run, and what each effect costs by it."""
 
 import re
 from collections.abc import Mapping, Sequence

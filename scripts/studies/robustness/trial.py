@@ -1,4 +1,4 @@
-"""A model in all its variations, and what each is held to."""
+"""A model in all its variations, what each is held to, and the report of it."""
 
 import shutil
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""Hexahedral meshes of the knee's bodies, each one structured block."""
+"""Hexahedral meshes of the knee's bodies, each one structured block, and the distance between them."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
