@@ -2,8 +2,6 @@
 pages, draw formulas, and refuse generated pages that are out of date and pages that fetch from the network.
 """
 
-from __future__ import annotations
-
 import html
 import re
 import sys
@@ -36,8 +34,7 @@ ROOT_PAGES = {"development/contributing.md": "CONTRIBUTING.md", "development/cha
 INLINE = re.compile(r'<span class="arithmatex">\\\((.+?)\\\)</span>', re.DOTALL)
 DISPLAY = re.compile(r'<div class="arithmatex">\\\[(.+?)\\\]</div>', re.DOTALL)
 NUMBER = re.compile(r"\\tag\{(.+?)\}")
-SIZE = 20.0
-"""Height of the letters of a formula as it is drawn."""
+SIZE = 20.0  # height of the letters of a formula as it is drawn
 EM = 17.0
 """Length in the drawing that becomes the height of the letters around it. Formulas are a little larger than text."""
 FETCHED = re.compile(

@@ -82,7 +82,6 @@ def _complain(message: str) -> None:
 
 
 def _written_down(fault: Exception) -> Path:
-    """The file with the traceback and the command."""
     handle, name = tempfile.mkstemp(prefix="mixcontact-fault-", suffix=".txt")
     with open(handle, "w", encoding="utf-8") as out:  # noqa: PTH123 - of a handle
         out.write(f"{sys.argv}\n\n{''.join(traceback.format_exception(fault))}")

@@ -5,16 +5,13 @@
 A word is what stands between spaces and has a letter in it, in text, tables, code and formulas alike.
 """
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 REFERENCE = "reference"
-MOST = 20_000
-"""Words that the documentation may have."""
+MOST = 20_000  # words that the documentation may have
 
 
 def words(text: str) -> int:

@@ -1,7 +1,5 @@
 """Sentences of a page of Markdown, without code, formulas and raw HTML."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -13,10 +11,8 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 PARSER = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin, double_inline=True)
 ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|Eng|Mech|al|Commun|Numer|Anal|Comput|Methods|Appl|Meth)\. ")
 END = re.compile(r"(?<=[.?!])\s+(?=[A-Z`\"(\u00c0-\u00dd])")
-CODE, FORMULA, RELATION = "Code", "X", "X is"
-"""Words for a name in code, a formula, and a formula that says something."""
-TERM = re.compile(rf"^{CODE}(, {CODE})*: ")
-"""Names that a line of a list explains."""
+CODE, FORMULA, RELATION = "Code", "X", "X is"  # words for a name in code, a formula, and a formula that says something
+TERM = re.compile(rf"^{CODE}(, {CODE})*: ")  # names that a line of a list explains
 
 
 @dataclass(frozen=True)

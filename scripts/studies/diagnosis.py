@@ -15,8 +15,7 @@ _FIELD = re.compile(
 )
 _SEARCH = re.compile(r"step from line search +=\s*(\S+)")
 _ERROR = re.compile(r"^ \* +ERROR +\*\n((?:\s\*.*\*\n)+)", re.MULTILINE)
-TAIL = 8
-"""Iterations at the end of an attempt from which its failure is judged."""
+TAIL = 8  # iterations at the end of an attempt from which its failure is judged
 
 
 class FailureMode(str, Enum):
@@ -36,17 +35,12 @@ class FailureMode(str, Enum):
 class Attempt:
     """One attempt at a time step."""
 
-    time: float
-    """Where the step was to end, s."""
-    residuals: tuple[float, ...]
-    """Squared norm after each Newton iteration."""
-    searches: tuple[float, ...]
-    """Factor of the line search in each iteration."""
-    unmet: tuple[str, ...]
-    """Norms that still missed their tolerance in the last iteration."""
+    time: float  # where the step was to end, s
+    residuals: tuple[float, ...]  # squared norm after each Newton iteration
+    searches: tuple[float, ...]  # factor of the line search in each iteration
+    unmet: tuple[str, ...]  # norms that still missed their tolerance in the last iteration
     converged: bool
-    error: str
-    """FEBio's own words."""
+    error: str  # FEBio's own words
 
     @property
     def failure_mode(self) -> FailureMode:
@@ -75,10 +69,7 @@ class Attempt:
 def attempts(log: str) -> list[Attempt]:
     """Every attempt at a time step, in order.
 
-    Parameters
-    ----------
-    log : str
-        The text of the log, or what febio4 printed.
+    log: the text of the log, or what febio4 printed.
     """
     starts = list(_BEGIN.finditer(log))
     ends = [match.start() for match in starts[1:]] + [len(log)]

@@ -14,8 +14,7 @@ from harness.models.document import Model
 from harness.preflight import xml_file
 
 Element = etree._Element
-NODE_FILE = "robustness-nodes.txt"
-"""Into which all runs that are compared write."""
+NODE_FILE = "robustness-nodes.txt"  # into which all runs that are compared write
 
 
 @dataclass(frozen=True)
@@ -73,13 +72,7 @@ class Feb:
 
 
 def read(path: Path) -> Feb:
-    """Read a model file.
-
-    Raises
-    ------
-    ModelError
-        Where it is missing or no XML, or no model with a <Control> section.
-    """
+    """Read a model file. Raises ModelError where it is missing or no XML, or no model with a <Control> section."""
     root = xml_file.root_of(path, xml_file.content(path))
     if next(root.iter("Control"), None) is None:
         raise ModelError(f"{path}: no model with a <Control> section")
@@ -114,13 +107,7 @@ def number(parent: Element, tag: str, default: float) -> float:
 
 
 def only(parent: Element, tag: str) -> Element:
-    """The child `tag`, or the element at a path from `parent`.
-
-    Raises
-    ------
-    ModelError
-        Where there is none.
-    """
+    """The child `tag`, or the element at a path from `parent`. Raises ModelError where there is none."""
     found = parent.find(tag)
     if found is None:
         raise ModelError(f"line {parent.sourceline}: <{parent.tag}> without <{tag}>")

@@ -1,13 +1,11 @@
 """Files of measured data, a frozen dataclass of plain values per row, as JSON or as a table; and of pictures."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, fields
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar, get_type_hints
+from typing import TYPE_CHECKING, Generic, TypeVar, get_type_hints
 
 from matplotlib.figure import Figure
 
@@ -30,6 +28,32 @@ def read_json(path: Path, kind: type[Row]) -> list[Row]:
     return [kind(**entry) for entry in json.loads(path.read_text())]
 
 
+@dataclass(frozen=True)
+class Stamped(Generic[Row]):
+    """Rows of results, and what they were made with."""
+
+    stamp: Stamp
+    rows: list[Row]
+
+
+def write_stamped(results: Stamped[Row], path: Path) -> None:
+    """Write results, whose rows are dataclasses."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(asdict(results), indent=1) + "\n")
+
+
+def read_stamped(path: Path, row: Callable[..., Row], command: str) -> Stamped[Row]:
+    """Read what `write_stamped` wrote; each row is made by `row` from its entries.
+
+    Raises DataFileError: a missing file, or one that holds no such results; it names the command that writes them.
+    """
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        return Stamped(Stamp(**data["stamp"]), [row(**entries) for entries in data["rows"]])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise DataFileError(f"{path} holds no results ({error}); `{command}` writes it") from error
+
+
 def write_csv(data: Sequence[Row], kind: type[Row], path: Path, stamp: Stamp) -> None:
     """Write data of a kind as a table, with their stamp in its first line, in a folder that is made where needed."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -44,13 +68,7 @@ def write_csv(data: Sequence[Row], kind: type[Row], path: Path, stamp: Stamp) ->
 
 
 def read_csv(path: Path, kind: type[Row]) -> list[Row]:
-    """Read what `write_csv` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one of another form.
-    """
+    """Read what `write_csv` wrote. Raises DataFileError: a missing file, or one of another form."""
     try:
         with path.open() as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))

@@ -8,8 +8,7 @@ import typer
 from rich.console import Console
 
 console = Console(highlight=False, soft_wrap=True)
-TWO_AT_MOST = min(2, os.cpu_count() or 1)
-"""Simultaneous runs."""
+TWO_AT_MOST = min(2, os.cpu_count() or 1)  # simultaneous runs
 
 Limit = Annotated[float, typer.Option(help="Limit each run to this processor time [s].")]
 Timeout = Annotated[float, typer.Option(help="Limit each run to this wall time [s].")]

@@ -7,8 +7,7 @@ from harness.paths import REPOSITORY
 from harness.run.engine import find_engine
 from harness.run.provenance import engine_version, plugin_version
 
-LIMIT = 300.0
-"""s of processor time for one run, the same for all interfaces in all studies."""
+LIMIT = 300.0  # s of processor time for one run, the same for all interfaces in all studies
 NEARLY = 0.9
 """Part of the limit from which on a run that did not end normally is taken to have been ended by it: the system ends
 one within a few hundredths of it, and what fails by itself seldom does so just then."""
@@ -22,22 +21,17 @@ def at_limit(ended: bool, cpu: float, limit: float | None = LIMIT) -> bool:
     return not ended and limit is not None and cpu >= NEARLY * limit
 
 
-SOURCES = ("plugin", "cmake", "CMakeLists.txt")
-"""What the plugin is built from."""
+SOURCES = ("plugin", "cmake", "CMakeLists.txt")  # what the plugin is built from
 
 
 @dataclass(frozen=True)
 class Stamp:
     """What results were made with. Results on one page have one stamp."""
 
-    plugin: str
-    """Version of the plugin."""
-    commit: str
-    """The last commit that changed its sources, with a + where they were changed since."""
-    engine: str
-    """What ran the models."""
-    limit: float = 0.0
-    """s of processor time after which a run was ended; 0 without a limit."""
+    plugin: str  # version of the plugin
+    commit: str  # the last commit that changed its sources, with a + where they were changed since
+    engine: str  # what ran the models
+    limit: float = 0.0  # s of processor time after which a run was ended; 0 without a limit
 
     def __str__(self) -> str:
         """In words, for a page."""

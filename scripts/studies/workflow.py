@@ -15,28 +15,18 @@ from harness.paths import REPOSITORY
 from harness.run.engine import find_engine, required_plugin
 
 SNAKEFILE = REPOSITORY / "scripts" / "workflow" / "Snakefile"
-DOES_NOT_HOLD = 1
-"""Exit code of a command that is done, and whose checks do not hold."""
+DOES_NOT_HOLD = 1  # exit code of a command that is done, and whose checks do not hold
 
 
 def run(jobs: Mapping[str, Sequence[str]], folder: Path, *, cores: int = 1, options: Sequence[str] = ()) -> list[Path]:
     """Do what has not been done yet, and return the files that are there afterwards.
 
-    Parameters
-    ----------
-    jobs : mapping
-        For each job the arguments of the command that does it; it is given ``--out <folder>/<name>.json`` besides.
-    folder : Path
-        Where the results are. One that is older than febio4 or the plugin is made anew.
-    cores : int
-        Jobs at a time.
-    options : sequence of str
-        Further options of Snakemake.
-
-    Raises
-    ------
-    HarnessError
-        Without Snakemake, febio4 or the plugin. A job that fails leaves no file, and its log beside where it would be.
+    jobs: for each job the arguments of the command that does it; it is given ``--out <folder>/<name>.json`` besides.
+    folder: where the results are. One that is older than febio4 or the plugin is made anew.
+    cores: jobs at a time.
+    options: further options of Snakemake.
+    Raises HarnessError without Snakemake, febio4 or the plugin. A job that fails leaves no file, and its log beside
+        where it would be.
     """
     if importlib.util.find_spec("snakemake") is None:
         raise HarnessError("Snakemake is not installed; scripts/mixcontact installs it when it runs this command")
@@ -54,12 +44,8 @@ def run(jobs: Mapping[str, Sequence[str]], folder: Path, *, cores: int = 1, opti
 def in_turn(steps: Mapping[str, Sequence[Sequence[str]]], folder: Path) -> set[str]:
     """Do steps of several commands one at a time, the last if all others are done, and return the names of those done.
 
-    Parameters
-    ----------
-    steps : mapping
-        For each step the arguments of its commands. A command whose checks do not hold is done.
-    folder : Path
-        Where the logs are.
+    steps: for each step the arguments of its commands. A command whose checks do not hold is done.
+    folder: where the logs are.
     """
     folder.mkdir(parents=True, exist_ok=True)
     names = list(steps)
@@ -80,5 +66,4 @@ def _is_done(arguments: Sequence[str], log: TextIO) -> bool:
 
 
 def _environment() -> dict[str, str]:
-    """Commands find the studies from any folder."""
     return {**os.environ, "PYTHONPATH": str(REPOSITORY / "scripts")}

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from studies.fuzz.command import ENDED, attempt
 from studies.fuzz.draws import Kind, draw
-from studies.fuzz.seed_trial import ENDED, attempt
 
 FOUND: dict[Kind, tuple[int, ...]] = {Kind.SCENES: (), Kind.PARAMETERS: ()}
 """Seeds with faults. A flip whose message named the element alone stands in `test_bad_input.py`."""

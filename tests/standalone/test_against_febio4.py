@@ -19,11 +19,11 @@ from harness.models.parts import Control, Param
 from harness.run import engine
 from harness.run.hosts import FEBIO4, STANDALONE
 from harness.run.runner import Runner, RunResult
-from studies.engines import engine_agreement
-from studies.engines.engine_agreement import differences, strict
+from studies.engines import command
+from studies.engines.command import differences, strict
 from studies.models import small
 
-BAR = engine_agreement.SMOOTH
+BAR = command.SMOOTH
 """Largest difference of a nodal variable, relative to its largest value."""
 FLOORS = {1.0: 1e-24, 10.0: 1e-22, 100.0: 1e-18}
 """Squared residual at which rounding is all that is left, for each Young's modulus (MPa)."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from studies.pages import scene_results, stamped_rows
+from studies import files
+from studies.pages import scene_results
 from studies.pages.scene_results import AT_LIMIT, UNAVAILABLE, Row, Took
 from studies.stamps import Stamp
 
@@ -32,7 +33,7 @@ def test_the_predictor_is_compared_where_both_runs_end():
 
 def test_results_are_read_as_they_were_written(tmp_path):
     made = scene_results.Results(Stamp("0.1.0", "abc1234", "FEBio 4.11.0", 600.0), [ROWS[0]])
-    stamped_rows.write(made, tmp_path / "real.json")
+    files.write_stamped(made, tmp_path / "real.json")
     read = scene_results.read(tmp_path / "real.json")
     assert read.stamp == made.stamp
     assert [repr(row) for row in read.rows] == [repr(row) for row in made.rows]

@@ -140,7 +140,7 @@ def test_evidence_of_sources_that_are_not_committed_is_refused(monkeypatch):
 @pytest.mark.parametrize("path", [path for path in PROSE if path not in MEASURED_PAGES], ids=lambda path: path.name)
 def test_measured_figures_stand_on_pages_of_evidence_alone(path):
     text = path.read_text(encoding="utf-8")
-    for constant in (*DEFINITIONS, *front.quoted(text)):
+    for constant in (*DEFINITIONS, *(row[0] for row in front.QUOTED.finditer(text))):
         text = text.replace(constant, "")
     found = [line for line in text.splitlines() if MEASURED.search(line)]
     assert found == []
@@ -150,6 +150,4 @@ def test_readme_quotes_what_each_page_says_first():
     text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
     assert text == front.page()
     pages = ("verification", "hard-cases", "reported-scenes", "agreement", "cost", "price")
-    assert [line.split("](")[1].split(")")[0] for line in front.quoted(text)] == [
-        f"docs/evidence/{name}.md" for name in pages
-    ]
+    assert [row[2] for row in front.QUOTED.finditer(text)] == [f"docs/evidence/{name}.md" for name in pages]

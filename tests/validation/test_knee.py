@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 from typer.testing import CliRunner
 
 from harness.models.interface import InterfaceType
-from harness.models.knee import bearing, clearance, structured_blocks, whole_mesh
+from harness.models.knee import bearing, structured_blocks, whole_mesh
 from harness.models.knee.bearing import Load
 from harness.models.knee.structured_blocks import Block
 from harness.models.knee.tissues import TISSUES, Bodies
@@ -72,17 +72,17 @@ def test_porous_bodies_touch_and_do_not_overlap(size: Size) -> None:
         facets = [knee.nodes[knee.surfaces[surface] - 1] for surface in pair]
         upper, lower = sorted(facets, key=lambda corners: _normals_of(corners)[:, 2].mean())
         expected = -structured_blocks.TOUCH if name.startswith("femur-tibia") else 0.0
-        assert clearance.smallest_gap(lower, upper) == pytest.approx(expected, abs=1e-9)
+        assert structured_blocks.smallest_gap(lower, upper) == pytest.approx(expected, abs=1e-9)
 
 
 def test_the_smallest_gap_may_be_anywhere_on_facets() -> None:
     flat = np.array([[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0]]])
     above = flat + np.array([0.0, 0.0, 0.5])
-    assert clearance.smallest_gap(flat, above) == pytest.approx(0.5)
+    assert structured_blocks.smallest_gap(flat, above) == pytest.approx(0.5)
     dips = above.copy()
     dips[0, 2, 2] = -0.25
-    assert clearance.smallest_gap(flat, dips) == pytest.approx(-0.25)
-    assert clearance.smallest_gap(flat, above + np.array([1.5, 1.5, 0.0])) == pytest.approx(0.5)
+    assert structured_blocks.smallest_gap(flat, dips) == pytest.approx(-0.25)
+    assert structured_blocks.smallest_gap(flat, above + np.array([1.5, 1.5, 0.0])) == pytest.approx(0.5)
 
 
 @pytest.mark.parametrize("size", Size)

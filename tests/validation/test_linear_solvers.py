@@ -10,7 +10,7 @@ from harness.models.interface import ContactSettings
 from harness.paths import DOCS
 from harness.run import engine
 from harness.run.febio_log import Report
-from studies.linear_solvers.trials import MODELS, SYMMETRIC_ONLY, outcome, trials
+from studies.linear_solvers.command import MODELS, SYMMETRIC_ONLY, outcome, trials
 from studies.pages import linear_solver_results
 from studies.pages.linear_solver_results import ENFORCEMENTS, SCENES, SOLVERS, Outcome, Results, Solver, Trial, renewed
 from studies.stamps import Stamp

@@ -14,7 +14,7 @@ import pytest
 from harness.models.parts import Param
 from harness.run import engine
 from harness.run.febio_log import Report
-from studies.linear_solvers.trials import write
+from studies.linear_solvers.command import write
 from studies.models.ball_in_socket import BallInSocket
 from studies.models.pieces import PREDICTOR
 from studies.pages.linear_solver_results import Solver

@@ -13,9 +13,8 @@ from harness.run import engine, febio_log
 from harness.run.logdata import History
 from studies import feb
 from studies.feb import Feb
-from studies.one_answer.answers import FULL, KEPT, SAME, Answers
+from studies.one_answer.answers import ENFORCED, FULL, KEPT, SAME, WAYS, Answers, contact
 from studies.one_answer.edge_scenes import SCENES
-from studies.one_answer.ways import ENFORCED, WAYS, contact
 from studies.robustness import differences, execution, variations
 from studies.robustness.execution import Way
 from studies.robustness.sanitized import Plugin

@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("lemminflect", reason="`scripts/mixcontact docs` installs it")
 
 from prose import check, count
-from prose.rules import house, of_comments
+from prose.check import house, of_comments
 from prose.text import Sentence, sentences
 
 RULES = house()

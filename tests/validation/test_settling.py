@@ -10,7 +10,7 @@ import pytest
 
 from harness.run import engine, logdata
 from harness.run.febio_log import Report
-from studies.linear_solvers.trials import write
+from studies.linear_solvers.command import write
 from studies.models.ball_in_socket import BallInSocket
 from studies.pages.linear_solver_results import Solver
 

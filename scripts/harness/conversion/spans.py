@@ -85,6 +85,5 @@ def insertion(data: bytes, parent: Span, lines: Iterable[str]) -> list[Edit]:
 
 
 def _indent(data: bytes, at: int) -> bytes:
-    """White space at the beginning of a line."""
     line = data[data.rfind(b"\n", 0, at) + 1 : at]
     return line[: len(line) - len(line.lstrip())]

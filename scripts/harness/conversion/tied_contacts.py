@@ -63,7 +63,6 @@ def stays(joint: Joint) -> str:
 
 
 def _touching(joint: Joint) -> float:
-    """The gap below which surfaces touch."""
     return TOUCHING * float(np.sqrt(np.median(joint.primary.area)))
 
 

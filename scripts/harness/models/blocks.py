@@ -37,7 +37,6 @@ def structured(points: Points) -> Body:
 
 
 def _is_left_handed(points: Points) -> bool:
-    """Whether the edges at the first corner of a block turn the wrong way."""
     edges = (points[1, 0, 0], points[0, 1, 0], points[0, 0, 1])
     return bool(np.linalg.det(np.stack([edge - points[0, 0, 0] for edge in edges])) < 0.0)
 

@@ -2,26 +2,16 @@
 
 from dataclasses import dataclass
 
+from harness.models import parts
 from harness.models.layered import Layered
 from harness.models.mesh import Layer
-from harness.models.parts import (
-    Condition,
-    Control,
-    Material,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    effective_pressure,
-    pressure,
-)
 
 HEIGHT = 2.0  # mm, both cubes together
 AMBIENT = 1.0  # ambient concentration c*, mM
 DIFFUSIVITY = 5e-4  # mm^2/s
 CLOSING = 1e-3  # mm by which the impermeable face is moved, so that the cubes are in contact
 
-MATERIAL = Mixture(Solid(10.0), permeability=1e-4, solutes=(Solute(1, DIFFUSIVITY, DIFFUSIVITY),))
+MATERIAL = parts.Mixture(parts.Solid(10.0), permeability=1e-4, solutes=(parts.Solute(1, DIFFUSIVITY, DIFFUSIVITY),))
 ABOUT = """\
 Transient diffusion across a contact interface: problem 3.1 of Ateshian, Maas and Weiss (2012),
 J Biomech 45(6):1023-1027, doi:10.1016/j.jbiomech.2012.01.003.
@@ -36,11 +26,11 @@ the concentration c* on one face and no flux through the other."""
 class Diffusion(Layered):
     """Choices of problem 3.1."""
 
-    control: Control = Control(400, 20.0)
+    control: parts.Control = parts.Control(400, 20.0)
     name: str = "diffusion"
     # Materials of the two cubes.
-    lower: Mixture = MATERIAL
-    upper: Mixture = MATERIAL
+    lower: parts.Mixture = MATERIAL
+    upper: parts.Mixture = MATERIAL
     ambient: tuple[float, ...] = (AMBIENT,)  # ambient concentration of each solute, mM
 
     ABOUT = ABOUT
@@ -48,7 +38,7 @@ class Diffusion(Layered):
     BOTTOM = -HEIGHT / 2
 
     @property
-    def materials(self) -> dict[str, Material]:
+    def materials(self) -> dict[str, parts.Material]:
         """One of both cubes, if they are of the same."""
         if self.lower == self.upper:
             return {"gel": self.lower}
@@ -64,9 +54,9 @@ class Diffusion(Layered):
         ]
 
     @property
-    def prescribed(self) -> tuple[Condition, ...]:
+    def prescribed(self) -> tuple[parts.Condition, ...]:
         """Ambient below, impermeable above."""
         return (
-            pressure("bottom", effective_pressure(sum(self.ambient))),
-            *(concentration("bottom", value, sol=number) for number, value in enumerate(self.ambient, 1)),
+            parts.pressure("bottom", parts.effective_pressure(sum(self.ambient))),
+            *(parts.concentration("bottom", value, sol=number) for number, value in enumerate(self.ambient, 1)),
         )

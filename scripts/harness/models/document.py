@@ -8,24 +8,8 @@ from textwrap import indent
 from lxml import etree
 
 from harness.errors import ModelError
+from harness.models import parts
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    FARADAY,
-    GAS_CONSTANT,
-    TEMPERATURE,
-    Condition,
-    Contact,
-    Control,
-    Curve,
-    Element,
-    Material,
-    Mixture,
-    Rigid,
-    Springs,
-    child,
-    fill,
-    text_of,
-)
 
 MODULES = ("solid", "biphasic", "solute", "multiphasic")
 
@@ -38,11 +22,11 @@ class Model:
     header: str  # what stands at the head of the file: what it shows, units, how to run it
     module: str  # one of `MODULES`
     mesh: Mesh
-    materials: Mapping[str, Material]
-    conditions: tuple[Condition, ...]
-    control: Control
-    contacts: tuple[Contact, ...] = ()
-    curves: tuple[Curve, ...] = field(default=())  # load curves, numbered from 1
+    materials: Mapping[str, parts.Material]
+    conditions: tuple[parts.Condition, ...]
+    control: parts.Control
+    contacts: tuple[parts.Contact, ...] = ()
+    curves: tuple[parts.Curve, ...] = field(default=())  # load curves, numbered from 1
     element_columns: tuple[str, ...] = ()  # FEBio's names of the element data to log, if any
     plot: bool = False  # whether a plot file is written
     # FEBio's names of node data to log beside positions, displacements, pressure and concentrations.
@@ -54,8 +38,8 @@ class Model:
     # FEBio's names of the element data to log of one part alone, by the part's name; FEBio numbers the solutes of
     # element data as the material lists them.
     part_columns: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    gas_constant: float = GAS_CONSTANT  # R in the units of the model
-    springs: tuple[Springs, ...] = ()
+    gas_constant: float = parts.GAS_CONSTANT  # R in the units of the model
+    springs: tuple[parts.Springs, ...] = ()
     node_log: bool = True  # whether the node data are logged, which takes long for large meshes
     further_plot: tuple[str, ...] = ()  # FEBio's names of plot variables beside those that every model has
 
@@ -64,10 +48,10 @@ class Model:
         """Number of solutes of the model."""
         return max((s.sol for m in self.materials.values() for s in m.solutes), default=0)
 
-    def mixture(self, name: str) -> Mixture:
+    def mixture(self, name: str) -> parts.Mixture:
         """The porous material of that name. Raises ModelError where the material is elastic or rigid."""
         material = self.materials[name]
-        if not isinstance(material, Mixture):
+        if not isinstance(material, parts.Mixture):
             raise ModelError(f"model '{self.name}': material '{name}' is not porous and holds no solute")
         return material
 
@@ -112,16 +96,16 @@ class Model:
         """
         _check(self)
         root = etree.Element("febio_spec", version="4.0")
-        child(root, "Module", type=self.module)
+        parts.child(root, "Module", type=self.module)
         self.control.write(root, self.module, self.plot)
         _globals(self, root)
-        materials = child(root, "Material")
+        materials = parts.child(root, "Material")
         for number, (name, material) in enumerate(self.materials.items(), 1):
             material.write(materials, number, name, self.module)
         _mesh(self.mesh, self.springs, root)
-        domains = child(root, "MeshDomains")
+        domains = parts.child(root, "MeshDomains")
         for part in self.mesh.parts:
-            child(domains, "SolidDomain", name=part.name, mat=part.material)
+            parts.child(domains, "SolidDomain", name=part.name, mat=part.material)
         _sections(self, root)
         body = etree.tostring(root, pretty_print=True, encoding="unicode")
         return f'<?xml version="1.0" encoding="ISO-8859-1"?>\n<!--\n{indent(self.header.strip(), "  ")}\n-->\n{body}'
@@ -134,45 +118,46 @@ class Model:
         return path
 
 
-def _globals(model: Model, root: Element) -> None:
-    section = child(root, "Globals")
-    faraday = FARADAY if any(model.charges) else 0.0
-    fill(child(section, "Constants"), R=model.gas_constant, T=TEMPERATURE, Fc=faraday)
+def _globals(model: Model, root: parts.Element) -> None:
+    section = parts.child(root, "Globals")
+    faraday = parts.FARADAY if any(model.charges) else 0.0
+    parts.fill(parts.child(section, "Constants"), R=model.gas_constant, T=parts.TEMPERATURE, Fc=faraday)
     if model.charges and len(model.charges) != model.n_solutes:
         raise ModelError(f"model '{model.name}': {len(model.charges)} charges for {model.n_solutes} solutes")
     if model.n_solutes:
-        solutes = child(section, "Solutes")
+        solutes = parts.child(section, "Solutes")
         for number in range(1, model.n_solutes + 1):
-            made = child(solutes, "solute", id=str(number), name=f"s{number}")
+            made = parts.child(solutes, "solute", id=str(number), name=f"s{number}")
             charge = model.charges[number - 1] if model.charges else 0
-            fill(made, charge_number=charge, molar_mass=1.0, density=1.0)
+            parts.fill(made, charge_number=charge, molar_mass=1.0, density=1.0)
 
 
-def _mesh(mesh: Mesh, springs: Iterable[Springs], root: Element) -> None:
-    section = child(root, "Mesh")
-    nodes = child(section, "Nodes")
+def _mesh(mesh: Mesh, springs: Iterable[parts.Springs], root: parts.Element) -> None:
+    section = parts.child(root, "Mesh")
+    nodes = parts.child(section, "Nodes")
     for number, position in enumerate(mesh.nodes, 1):
-        child(nodes, "node", tuple(map(float, position)), id=str(number))
+        parts.child(nodes, "node", tuple(map(float, position)), id=str(number))
     number = 0
     for part in mesh.parts:
-        elements = child(section, "Elements", type=_element_type(part.elements.shape[1]), name=part.name)
+        elements = parts.child(section, "Elements", type=_element_type(part.elements.shape[1]), name=part.name)
         for ids in part.elements:
             number += 1
-            child(elements, "elem", tuple(map(int, ids)), id=str(number))
+            parts.child(elements, "elem", tuple(map(int, ids)), id=str(number))
     for name, ids in mesh.node_sets.items():
-        child(section, "NodeSet", tuple(map(int, ids)), name=name)
+        parts.child(section, "NodeSet", tuple(map(int, ids)), name=name)
     for name, facets in mesh.surfaces.items():
-        surface = child(section, "Surface", name=name)
+        surface = parts.child(section, "Surface", name=name)
         for face, ids in enumerate(facets, 1):
-            child(surface, f"{'tri' if len(ids) in (3, 6) else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face))
+            parts.child(
+                surface, f"{'tri' if len(ids) in (3, 6) else 'quad'}{len(ids)}", tuple(map(int, ids)), id=str(face)
+            )
     for name, (primary, secondary) in mesh.pairs.items():
-        fill(child(section, "SurfacePair", name=name), primary=primary, secondary=secondary)
+        parts.fill(parts.child(section, "SurfacePair", name=name), primary=primary, secondary=secondary)
     for group in springs:
         group.write_mesh(section)
 
 
 def _element_type(nodes: int) -> str:
-    """FEBio's name of a solid element with this many nodes."""
     shape = {4: "tet", 10: "tet", 6: "penta", 15: "penta"}.get(nodes, "hex")
     return f"{shape}{nodes}"
 
@@ -181,42 +166,42 @@ _CONDITIONS = {"Boundary": ("bc",), "Rigid": ("rigid_bc", "rigid_load"), "Initia
 """Tags of the conditions in each section of a file."""
 
 
-def _sections(model: Model, root: Element) -> None:
+def _sections(model: Model, root: parts.Element) -> None:
     for title, tags in _CONDITIONS.items():
         chosen = [condition for condition in model.conditions if condition.tag in tags]
-        section = child(root, title) if chosen or title == "Boundary" else root
+        section = parts.child(root, title) if chosen or title == "Boundary" else root
         for condition in chosen:
             condition.write(section)
-    section = child(root, "Contact") if model.contacts else root
+    section = parts.child(root, "Contact") if model.contacts else root
     for contact in model.contacts:
         contact.write(section)
-    section = child(root, "Discrete") if model.springs else root
+    section = parts.child(root, "Discrete") if model.springs else root
     for number, group in enumerate(model.springs, 1):
         group.write_material(section, number)
     for number, group in enumerate(model.springs, 1):
         group.write_set(section, number)
-    section = child(root, "LoadData") if model.curves else root
+    section = parts.child(root, "LoadData") if model.curves else root
     for number, curve in enumerate(model.curves, 1):
         curve.write(section, number)
     _output(model, root)
 
 
-def _output(model: Model, root: Element) -> None:
-    output = child(root, "Output")
-    log = child(output, "logfile")
+def _output(model: Model, root: parts.Element) -> None:
+    output = parts.child(root, "Output")
+    log = parts.child(output, "logfile")
     if model.node_log:
-        child(log, "node_data", data=";".join(model.node_columns), file=model.node_file, delim=" ")
+        parts.child(log, "node_data", data=";".join(model.node_columns), file=model.node_file, delim=" ")
     if model.element_columns:
-        child(log, "element_data", data=";".join(model.element_columns), file=model.element_file, delim=" ")
+        parts.child(log, "element_data", data=";".join(model.element_columns), file=model.element_file, delim=" ")
     _log_surfaces(model, log)
     _log_parts(model, log)
     if model.plot:
-        plot = child(output, "plotfile", type="febio")
+        plot = parts.child(output, "plotfile", type="febio")
         for variable in _plot_variables(model):
-            child(plot, "var", type=variable)
+            parts.child(plot, "var", type=variable)
 
 
-def _log_surfaces(model: Model, log: Element) -> None:
+def _log_surfaces(model: Model, log: parts.Element) -> None:
     for surface in model.contact_surfaces:
         logged = (
             ("surface_data", model.surface_columns, model.surface_file(surface)),
@@ -224,17 +209,17 @@ def _log_surfaces(model: Model, log: Element) -> None:
         )
         for tag, columns, file in logged:
             if columns:
-                child(log, tag, surface=surface, data=";".join(columns), file=file, delim=" ")
+                parts.child(log, tag, surface=surface, data=";".join(columns), file=file, delim=" ")
 
 
-def _log_parts(model: Model, log: Element) -> None:
+def _log_parts(model: Model, log: parts.Element) -> None:
     first = 1
     for part in model.mesh.parts:
         columns = model.part_columns.get(part.name)
         if columns:
             ids = tuple(range(first, first + len(part.elements)))
             data, file = ";".join(columns), model.part_file(part.name)
-            child(log, "element_data", ids, data=data, file=file, delim=" ")
+            parts.child(log, "element_data", ids, data=data, file=file, delim=" ")
         first += len(part.elements)
 
 
@@ -258,15 +243,15 @@ def _check(model: Model) -> None:
     for param in (param for params in given for param in params):
         if param.curve is not None and not 1 <= param.curve <= len(model.curves):
             raise ModelError(
-                f"model '{model.name}': <{param.tag}> = {text_of(param.value)} refers to load curve {param.curve}, "
-                f"but there are {len(model.curves)}"
+                f"model '{model.name}': <{param.tag}> = {parts.text_of(param.value)} refers to load curve "
+                f"{param.curve}, but there are {len(model.curves)}"
             )
 
 
-def _places(model: Model, condition: Condition) -> Iterable[str]:
+def _places(model: Model, condition: parts.Condition) -> Iterable[str]:
     """What a condition of this kind may name."""
     if condition.of_rigid_body:
-        return [name for name, material in model.materials.items() if isinstance(material, Rigid)]
+        return [name for name, material in model.materials.items() if isinstance(material, parts.Rigid)]
     return model.mesh.node_sets if condition.on_nodes else model.mesh.surfaces
 
 

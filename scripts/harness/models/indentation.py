@@ -2,40 +2,28 @@
 
 from dataclasses import dataclass, replace
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.indentation_mesh import Grid, Primary, mesh
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
-from harness.models.parts import (
-    Condition,
-    Control,
-    Curve,
-    Mixture,
-    Param,
-    Solid,
-    Solute,
-    TimeStepper,
-    displace,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    initial_pressure,
-)
 
 CONCENTRATION = 1.0  # initial concentration of the slab, mM; the cylinder and the surroundings have none
 DEPTH = 2.0  # mm by which the cylinder's flat top is driven down
 RAMP = 1.0  # s in which it is driven
 END = 6000.0  # s
 TIMES = (1.0, 100.0, 1000.0, 6000.0)  # times of the pictures of figure 3.4, s; a time step ends at each
-GEL = Mixture(Solid(1.0, 0.3), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
+GEL = parts.Mixture(
+    parts.Solid(1.0, 0.3), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),)
+)
 
 RAMP_CURVE, STEP_CURVE = 1, 2
-STEPS = Curve(((0.0, 0.1), (RAMP, 0.1), (100.0, 20.0), (1000.0, 250.0), (END, 250.0)))
+STEPS = parts.Curve(((0.0, 0.1), (RAMP, 0.1), (100.0, 20.0), (1000.0, 250.0), (END, 250.0)))
 """Largest time step (s) over time; its points must be met. Fronts need small steps early, and nothing does later."""
-CONTROL = Control(
+CONTROL = parts.Control(
     round(END / 0.01),
     0.01,
     reformations=25,
-    stepper=TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=STEP_CURVE, aggressive=True),
+    stepper=parts.TimeStepper(0.0, retries=8, optimal_iterations=15, must_points=STEP_CURVE, aggressive=True),
 )
 
 ABOUT = """\
@@ -62,7 +50,7 @@ class Indentation:
     # Whether the round body's flat top is held along x and z. Its edge is then a singular corner, where a fine mesh
     # turns inside out.
     gripped: bool = True
-    control: Control = CONTROL
+    control: parts.Control = CONTROL
     module: str | None = None  # the module that `interface` asks for without it
     name: str = "indentation"
     plot: bool = False
@@ -71,7 +59,7 @@ class Indentation:
         """The model of these choices."""
         made = mesh(self.grid, self.primary)
         module = self.module or self.interface.module
-        clamp = Param("force_positive_concentrations", self.clamp)
+        clamp = parts.Param("force_positive_concentrations", self.clamp)
         return Model(
             self.name,
             header(self.name, ABOUT.format(radius=self.grid.radius, depth=DEPTH), self.interface),
@@ -81,20 +69,20 @@ class Indentation:
             self._conditions(),
             self.control if module != "multiphasic" else replace(self.control, solver=(clamp, *self.control.solver)),
             contacts(self.interface, made, self.settings),
-            (Curve(((0.0, 0.0), (RAMP, 1.0))), STEPS),
+            (parts.Curve(((0.0, 0.0), (RAMP, 1.0))), STEPS),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),
         )
 
-    def _conditions(self) -> tuple[Condition, ...]:
+    def _conditions(self) -> tuple[parts.Condition, ...]:
         """With the initial p~ = -R T Phi c the actual fluid pressure is zero at the start, as in the surroundings."""
-        grip = (fix("top", "xz"),) if self.gripped else ()
+        grip = (parts.fix("top", "xz"),) if self.gripped else ()
         return (
-            fix("all", "z"),
-            fix("symmetry", "x"),
-            fix("bottom", "y"),
+            parts.fix("all", "z"),
+            parts.fix("symmetry", "x"),
+            parts.fix("bottom", "y"),
             *grip,
-            displace("top", "y", -DEPTH, RAMP_CURVE),
-            initial_concentration("slab", CONCENTRATION),
-            initial_pressure("slab", effective_pressure(CONCENTRATION)),
+            parts.displace("top", "y", -DEPTH, RAMP_CURVE),
+            parts.initial_concentration("slab", CONCENTRATION),
+            parts.initial_pressure("slab", parts.effective_pressure(CONCENTRATION)),
         )

@@ -66,7 +66,6 @@ def _counts(text: str) -> dict[str, int]:
 
 
 def _boxes(text: str) -> list[tuple[str, str]]:
-    """Title and body of each framed message."""
     found: list[tuple[str, str]] = []
     for match in _BOX.finditer(text):
         lines = [line.strip().strip("*").strip() for line in match.group(1).splitlines()]

@@ -15,8 +15,7 @@ from studies import feb
 from studies.ablation.ablated_scenes import AblatedScene
 from studies.price import table
 
-SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"
-"""Where the names of devices stand."""
+SOURCE = REPOSITORY / "plugin" / "solver" / "devices.h"  # where the names of devices stand
 ALL, NONE = "all", "none"
 ACTED = re.compile(r"(?:Number of actions of each solver device: |: solver device )(.*)\.$", re.MULTILINE)
 
@@ -27,18 +26,14 @@ class Ablated:
 
     scene: str
     kind: str
-    without: str
-    """The device that is left out, or ``nothing``, or ``any``."""
+    without: str  # the device that is left out, or ``nothing``, or ``any``
     ended: bool
     iterations: int
     retries: int
     matrices: int
-    entries: int
-    """The most of the matrix in the run."""
-    time: float
-    """Processor time of the run [s]."""
-    acted: str
-    """How often devices acted."""
+    entries: int  # the most of the matrix in the run
+    time: float  # processor time of the run [s]
+    acted: str  # how often devices acted
 
 
 def devices() -> list[str]:

@@ -125,7 +125,6 @@ def _cell(row: Ablated) -> str:
 
 
 def _scope(rows: Sequence[Ablated]) -> str:
-    """How many scenes of each kind the data have."""
     measured = {row.scene: row.kind for row in rows}
     known = [scene.kind for scene in SCENES.values()]
     parts = [f"{list(measured.values()).count(kind)} of {known.count(kind)} {kind}s" for kind in dict.fromkeys(known)]

@@ -8,10 +8,9 @@ import typer
 
 from harness.choice import chosen
 from harness.paths import DOCS, RESULTS
-from studies import stamps
+from studies import files, stamps
 from studies.agreement import comparisons, page
 from studies.options import Docs, Limit, console
-from studies.pages import stamped_rows
 from studies.pages.evidence import DATA
 from studies.stamps import LIMIT
 
@@ -31,7 +30,7 @@ def agreement(
     rows = [row for name in chosen(only, comparisons.MESHES) for row in comparisons.compare(name, folder, limit, tell)]
     console.print(f"{page.headline(rows)}\n\n{page.details(rows)}\n\n{page.tables(rows)}", markup=False)
     if docs and not only:
-        stamped_rows.write(page.Results(stamps.stamp(limit), rows), DATA / page.SOURCE)
+        files.write_stamped(page.Results(stamps.stamp(limit), rows), DATA / page.SOURCE)
         for name, made in ((page.PAGE, page.page), (page.ALL, page.all_meshes)):
             (DOCS / name).write_text(made(page.read()), encoding="utf-8")
         console.print(f"Written: {page.PAGE}, {page.ALL}, {page.SOURCE} below {DOCS}")

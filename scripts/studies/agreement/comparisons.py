@@ -29,31 +29,22 @@ class Row:
 
     scene: str
     fineness: int
-    interface: str
-    """`FEBIO` or `OURS`."""
-    quantity: str
-    """A number with its unit, or a field."""
-    value: float
-    """Of a number; of a field its largest value in the reference."""
+    interface: str  # `FEBIO` or `OURS`
+    quantity: str  # a number with its unit, or a field
+    value: float  # of a number; of a field its largest value in the reference
     error: float
     """Difference from the reference over it; of a field the largest one at any node of the coarsest mesh, over the
     field's largest value."""
+    # Of a field: the mean of the differences, and the root of their mean square (L2), over the same.
     mean: float
     rms: float
-    """Of a field: the mean of the differences, and the root of their mean square (L2), over the same."""
     apart: float
     """Half of the difference of both interfaces on the finest mesh, in the measure of `error`: what the reference is
     not certain of."""
 
 
 def compare(name: str, folder: Path, limit: float, announce: Callable[[str], None]) -> list[Row]:
-    """Run a scene on its meshes with both interfaces.
-
-    Raises
-    ------
-    EngineFailedError
-        Where a run does not end.
-    """
+    """Run a scene on its meshes with both interfaces. Raises EngineFailedError where a run does not end."""
     meshes = MESHES[name]
     models = {f: _model(name, f) for f in meshes}
     moved = SCENES[name].force is None

@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
 
+from studies import files
 from studies import tables as markdown_tables
 from studies.agreement.comparisons import FEBIO, MESHES, OURS, Row
 from studies.agreement.quantities import FACETS_AREA
-from studies.pages import stamped_rows
+from studies.files import Stamped
 from studies.pages.evidence import DATA
-from studies.pages.stamped_rows import Stamped
 from studies.pages.texts import page_text
 
 SOURCE, PAGE, ALL = "agreement.json", "evidence/agreement.md", "reference/agreement.md"
@@ -26,7 +26,7 @@ Results = Stamped[Row]
 
 def read() -> Results:
     """The results in docs/data."""
-    return stamped_rows.read(DATA / SOURCE, Row, "agreement --docs")
+    return files.read_stamped(DATA / SOURCE, Row, "agreement --docs")
 
 
 def page(results: Results) -> str:

@@ -30,10 +30,8 @@ FORCE, APPROACH, AREA, FACETS_AREA, VOLUME, SOLUTE = (
 class State:
     """The end of a run."""
 
-    scalars: Mapping[str, float]
-    """By what they are, with their unit."""
-    fields: Mapping[str, Array]
-    """By their names, at all nodes. Shape (n_nodes, n_components)."""
+    scalars: Mapping[str, float]  # by what they are, with their unit
+    fields: Mapping[str, Array]  # by their names, at all nodes. Shape (n_nodes, n_components)
 
 
 def state(model: Model, nodes: History, facets: History, *, moved: bool) -> State:

@@ -71,10 +71,8 @@ class Shape(Enum):
 class Contact:
     """Layers in contact."""
 
-    layers: Sequence[Layer]
-    """Of both bodies; one alone against a rigid impermeable body."""
-    radius: float
-    """R, mm, with 1/R the sum of both curvatures."""
+    layers: Sequence[Layer]  # of both bodies; one alone against a rigid impermeable body
+    radius: float  # R, mm, with 1/R the sum of both curvatures
     shape: Shape = Shape.LINE
 
     @property

@@ -10,41 +10,19 @@ Dundurs' second parameter is zero.
 
 from math import sqrt
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
 
 def stick_half_width(half_width: float, ratio: float) -> float:
     """Half-width c of the stick zone (mm).
 
-    Parameters
-    ----------
-    half_width : float
-        a of the contact, mm.
-    ratio : float
-        Q/(mu P), from 0 (all sticks) to 1 (all slips).
-
-    Raises
-    ------
-    ValueError
-        For a ratio beyond these.
+    half_width: a of the contact, mm.
+    ratio: Q/(mu P), from 0 (all sticks) to 1 (all slips).
+    Raises ValueError for a ratio beyond these.
     """
     if not 0.0 <= ratio <= 1.0:
         raise ValueError(f"Q/(mu P) must be from 0 to 1, got {ratio:g}")
     return half_width * sqrt(1.0 - ratio)
 
 
-def shear(x: ArrayLike, half_width: float, ratio: float, bound: float) -> NDArray[np.float64]:
-    """Shear traction q (MPa) at the distances `x` (mm) from the middle; `bound` is mu p0, the rest as above."""
-    c = stick_half_width(half_width, ratio)
-    held = c / half_width * _ellipse(x, c) if c > 0.0 else 0.0
-    return np.asarray(bound * (_ellipse(x, half_width) - held))
-
-
 def peak_shear(ratio: float, bound: float) -> float:
-    """Largest shear traction mu p0 sqrt(Q/(mu P)), MPa, at the edges of the stick zone; arguments as in `shear`."""
+    """Largest shear traction mu p0 sqrt(Q/(mu P)), MPa, at the edges of the stick zone; `bound` is mu p0."""
     return bound * sqrt(ratio)
-
-
-def _ellipse(x: ArrayLike, half_width: float) -> NDArray[np.float64]:
-    return np.asarray(np.sqrt(np.maximum(0.0, 1.0 - (np.asarray(x, dtype=float) / half_width) ** 2)))

@@ -9,12 +9,7 @@ from math import pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-
-def combined_modulus(first: tuple[float, float], second: tuple[float, float]) -> float:
-    """E* (MPa) in plane strain from (E, nu) of the two bodies: 1/E* = SUM (1 - nu^2)/E."""
-    return 1.0 / sum((1.0 - nu**2) / modulus for modulus, nu in (first, second))
+from numpy.typing import NDArray
 
 
 def half_width(force: float, radius: float, modulus: float) -> float:
@@ -27,12 +22,6 @@ def peak_pressure(force: float, radius: float, modulus: float) -> float:
     return sqrt(force * modulus / (pi * radius))
 
 
-def pressure(x: ArrayLike, force: float, radius: float, modulus: float) -> NDArray[np.float64]:
-    """Contact pressure (MPa) at the distances `x` (mm) from the middle; 0 outside the contact."""
-    inside = np.maximum(0.0, 1.0 - (np.asarray(x, dtype=float) / half_width(force, radius, modulus)) ** 2)
-    return np.asarray(peak_pressure(force, radius, modulus) * np.sqrt(inside))
-
-
 def sphere_radius(force: float, radius: float, modulus: float) -> float:
     """Contact radius a = (3 F R/(4 E*))^(1/3), mm, of a sphere under the force F (N); other arguments as above."""
     return float((3.0 * force * radius / (4.0 * modulus)) ** (1.0 / 3.0))
@@ -41,11 +30,6 @@ def sphere_radius(force: float, radius: float, modulus: float) -> float:
 def sphere_peak_pressure(force: float, radius: float, modulus: float) -> float:
     """Peak pressure p0 = 3 F/(2 pi a^2), MPa."""
     return 1.5 * force / (pi * sphere_radius(force, radius, modulus) ** 2)
-
-
-def sphere_approach(force: float, radius: float, modulus: float) -> float:
-    """Approach delta = a^2/R, mm, of points far from the contact."""
-    return sphere_radius(force, radius, modulus) ** 2 / radius
 
 
 class HalfEllipse(NamedTuple):

@@ -5,27 +5,13 @@ F, balance along and across the slope, F cos a = G sin a + mu N and N = G cos a 
 F/G = (tan a + mu)/(1 - mu tan a). Where mu tan a >= 1 no force pushes it up: friction grows faster than the force.
 """
 
-from math import sqrt
-
 
 def force_over_weight(slope: float, friction: float) -> float:
     """Horizontal force that slides the block upwards, over its weight.
 
-    Parameters
-    ----------
-    slope, friction : float
-        tan a and the friction coefficient mu.
-
-    Raises
-    ------
-    ValueError
-        Where the block is stuck under any force.
+    slope, friction: tan a and the friction coefficient mu.
+    Raises ValueError where the block is stuck under any force.
     """
     if friction * slope >= 1.0:
         raise ValueError(f"friction times slope must be less than 1, got {friction * slope:g}: the block is stuck")
     return (slope + friction) / (1.0 - friction * slope)
-
-
-def normal_over_weight(slope: float, friction: float) -> float:
-    """Normal force of the sliding block over its weight, (1 + F/G tan a) cos a; arguments as in `force_over_weight`."""
-    return (1.0 + force_over_weight(slope, friction) * slope) / sqrt(1.0 + slope**2)

@@ -18,8 +18,7 @@ from studies.options import Docs, Snakemake, console
 from studies.pages.evidence import DATA as RESULTS_OF_THE_PAGES
 from studies.stamps import LIMIT
 
-DATA = RESULTS_OF_THE_PAGES / "cost.csv"
-"""What was measured, as it comes with the documentation."""
+DATA = RESULTS_OF_THE_PAGES / "cost.csv"  # what was measured, as it comes with the documentation
 
 
 def cost(

@@ -18,8 +18,7 @@ SOURCE, PICTURE = "cost.csv", "images/cost.svg"
 OURS = InterfaceType.MIXTURE.value
 
 
-ALIKE = 2.0
-"""Errors within this factor count as the same."""
+ALIKE = 2.0  # errors within this factor count as the same
 NOTES = {
     Problem.CONVECTION: "The whole error of problem 3.2 need not fall with the mesh: the closed form has bodies that "
     "do not deform, and the deformation of these is part of the difference.",
@@ -93,7 +92,6 @@ def _compared(own: Datum, fastest: Datum | None) -> str:
 
 
 def _febio(data: Sequence[Datum], problem: Problem) -> list[Datum]:
-    """Runs of a problem with FEBio's interfaces."""
     return [d for d in pareto.comparable(data, problem) if d.interface != OURS]
 
 
@@ -123,7 +121,6 @@ def _theirs(own: Datum, good: Sequence[Datum]) -> str:
 
 
 def _time(datum: Datum) -> str:
-    """Processor time in words."""
     if datum.problem == Problem.INDENTATION.value:
         return f"{pareto.cost_of(datum):.1f} s"
     return f"{pareto.cost_of(datum):.2f} times the time of one body"

@@ -18,10 +18,8 @@ from studies.cost.points import Parameter, Problem
 Point = TypeVar("Point")
 LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic-solute": "#2f5d9e", "sliding-multiphasic": "#2a8f7c"}
 """Colours of the interfaces."""
-SMALLEST = 1e-12
-"""Errors below are drawn there."""
-FEW = (1, 1.2, 1.5, 2, 3, 5, 7)
-"""Ticks of an axis that spans less than a decade."""
+SMALLEST = 1e-12  # errors below are drawn there
+FEW = (1, 1.2, 1.5, 2, 3, 5, 7)  # ticks of an axis that spans less than a decade
 DISCRETISATION = (Parameter.MESH, Parameter.STEP)
 
 
@@ -121,8 +119,7 @@ def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
         axes.text(1.0, 0.95, "x: did not complete", transform=axes.transAxes, ha="right", va="top", fontsize=8)
 
 
-LEVELS = tuple(10.0**-k for k in range(1, 8))
-"""Errors at which the interfaces are compared."""
+LEVELS = tuple(10.0**-k for k in range(1, 8))  # errors at which the interfaces are compared
 
 
 def comparison(data: Sequence[Datum]) -> str:

@@ -57,10 +57,7 @@ class Datum:
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
     """Run points and what they are compared with; short runs of 3.3 are repeated in turn.
 
-    Raises
-    ------
-    HarnessError
-        Without an engine or plugin, or where the reference does not run.
+    Raises HarnessError without an engine or plugin, or where the reference does not run.
     """
     runs = {point: runner(point.model(), check=False) for point in points}
     whole = {p: run for p, run in runs.items() if p.problem is Problem.INDENTATION and run.report.normal}
@@ -104,9 +101,9 @@ def _error_33(run: RunResult, reference: RunResult) -> float:
 
 def _pairs(model: Model, reference: Model) -> tuple[float, float, tuple[float, float, float]]:
     """Median wall and processor time (s) of a model; median, least, largest ratio of the latter to its reference's."""
-    pairs = timing.beside(model, reference, PAIRS)
-    walls, times = (run.wall for run, _ in pairs), (run.cpu for run, _ in pairs)
-    return median(walls), median(times), timing.spread([run.cpu / other.cpu for run, other in pairs])
+    own, others = timing.interleave({"own": model, "reference": reference}, PAIRS).values()
+    walls, times = (run.wall for run, _ in own), (run.cpu for run, _ in own)
+    return median(walls), median(times), timing.spread(timing.ratios(own, others))
 
 
 def settings_of(datum: Datum) -> tuple[Param, ...]:

@@ -17,13 +17,11 @@ from studies.models.kept_models import LEVELS
 INTERFACES = (InterfaceType.MIXTURE, InterfaceType.SOLUTE, InterfaceType.MULTIPHASIC)
 HALFWAY = Grid(across=13, down=9, around=4)
 """A mesh of problem 3.3 between the coarse one and the medium one, which its reference has."""
-END_33 = 100.0
-"""s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion."""
+END_33 = 100.0  # s up to which problem 3.3 is run: first touch, the moving edge of contact, and the first diffusion
 TIMES_33 = (1.0, END_33)
 ELEMENTS, STEPS = 5, 20
 """Through each cube of 3.1 (to 2000 s) and 3.2 (to 20000 s), and number of time steps, unless these are varied."""
-AUGLAG_START = 10.0
-"""Factor of the automatic penalties from which the augmentations start."""
+AUGLAG_START = 10.0  # factor of the automatic penalties from which the augmentations start
 
 
 class Problem(str, Enum):
@@ -115,7 +113,6 @@ class Point:
         return _BUILDERS[self.problem](self, interface or self.interface)
 
     def _control(self, control: Control) -> Control:
-        """The same with the tolerances of this point."""
         if self.parameter is not Parameter.NEWTON:
             return control
         return replace(

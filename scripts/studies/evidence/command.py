@@ -40,13 +40,7 @@ def evidence(
 
 
 def committed() -> str:
-    """The commit of the plugin's sources.
-
-    Raises
-    ------
-    HarnessError
-        Where they were changed since.
-    """
+    """The commit of the plugin's sources. Raises HarnessError where they were changed since."""
     commit = stamps.plugin_commit()
     if commit.endswith("+"):
         raise HarnessError(

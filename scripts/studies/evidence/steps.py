@@ -9,8 +9,7 @@ from studies.knees.page import LIMIT as KNEE_LIMIT
 from studies.pages import evidence
 from studies.stamps import LIMIT
 
-Command = tuple[str, ...]
-"""Arguments of the harness."""
+Command = tuple[str, ...]  # arguments of the harness
 
 
 @dataclass(frozen=True)
@@ -18,12 +17,9 @@ class Step:
     """A part of the evidence that is measured by itself."""
 
     name: str
-    files: tuple[str, ...]
-    """Below docs/data, that it writes."""
-    commands: tuple[Command, ...]
-    """Done one after the other; ``{folder}`` stands for a folder for what they leave."""
-    limit: float = LIMIT
-    """s of processor time for a run, which the stamps of its files say; 0 without a limit."""
+    files: tuple[str, ...]  # below docs/data, that it writes
+    commands: tuple[Command, ...]  # done one after the other; ``{folder}`` stands for a folder for what they leave
+    limit: float = LIMIT  # s of processor time for a run, which the stamps of its files say; 0 without a limit
     alone: bool = False
     """Whether its pages say themselves what its files were made with, which may be another commit than that of the
     files that are measured in one go."""
@@ -42,8 +38,7 @@ class Step:
 
 
 _DOCS = ("--folder", str(DOCS))
-_ON_THE_PAGE = ("--only", "joints", "--only", "effects", "--only", "comparison")
-"""Of prices."""
+_ON_THE_PAGE = ("--only", "joints", "--only", "effects", "--only", "comparison")  # of prices
 UNTIMED = (
     Step("verification", ("verification.json",), (("validate", "--jobs", "2"), ("verification-report",)), 0.0),
     Step(
@@ -97,10 +92,8 @@ TIMED = (
     ),
 )
 """Nothing else runs beside these."""
-PAGES = Step("pages", (), (("pages",),), 0.0)
-"""What is written from all files."""
+PAGES = Step("pages", (), (("pages",),), 0.0)  # what is written from all files
 STEPS = (*UNTIMED, *TIMED, PAGES)
 LIMITS = {name: step.limit for step in STEPS for name in step.files if not step.alone}
 """By the files below docs/data that are measured in one go, the limit that their stamps must say."""
-ALONE = {name: step.limit for step in STEPS for name in step.files if step.alone}
-"""The same of the other files."""
+ALONE = {name: step.limit for step in STEPS for name in step.files if step.alone}  # the same of the other files

@@ -8,7 +8,7 @@ from harness.choice import chosen
 from harness.paths import RESULTS
 from harness.run.runner import Runner
 from studies import files, stamps
-from studies.friction import curves, curves_picture, curves_table, page, stick_picture, stick_points
+from studies.friction import curves, curves_table, page, stick_points
 from studies.friction.curves import Row
 from studies.friction.stick_points import Datum
 from studies.hard_cases import rubbing_record
@@ -51,10 +51,7 @@ def friction_cases(
         raise typer.Exit(1)
 
 
-def friction_benchmarks(
-    folder: Site = RESULTS / "friction-benchmarks",
-    limit: Limit = LIMIT,
-) -> None:
+def friction_benchmarks(folder: Site = RESULTS / "friction-benchmarks", limit: Limit = LIMIT) -> None:
     """Turn a hemisphere on a block, press concentric spheres, on two meshes each, and compare with published curves."""
     runner = Runner(RESULTS / "runs", processor_limit=limit)
     rows: list[Row] = []
@@ -68,18 +65,15 @@ def friction_benchmarks(
         console.print(f"{measure.name}: {measure.value:.2%} from what published ones span", markup=False)
     rows += curves.published_rows()
     files.write_csv(rows, Row, folder / "data" / curves_table.SOURCE, stamps.stamp(limit))
-    picture = curves_picture.draw(rows, folder / curves_picture.PICTURE)
+    picture = curves_table.draw(rows, folder / curves_table.PICTURE)
     console.print(f"Written: {folder / 'data' / curves_table.SOURCE}, {picture}")
 
 
-def friction_cost(
-    folder: Site = RESULTS / "friction-cost",
-    limit: Limit = LIMIT,
-) -> None:
+def friction_cost(folder: Site = RESULTS / "friction-cost", limit: Limit = LIMIT) -> None:
     """Measure elastic slip against time, by tangential penalty and with AUGLAG."""
     runner = Runner(RESULTS / "friction-cost" / "runs", processor_limit=limit)
     data = stick_points.measure(stick_points.points(), runner)
     console.print(stick_points.least_time(data), markup=False)
     files.write_csv(data, Datum, folder / "data" / stick_points.SOURCE, stamps.stamp(limit))
-    picture = stick_picture.draw(data, folder / stick_picture.PICTURE)
+    picture = stick_points.draw(data, folder / stick_points.PICTURE)
     console.print(f"Written: {folder / 'data' / stick_points.SOURCE}, {picture}")

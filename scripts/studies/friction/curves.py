@@ -15,8 +15,7 @@ from studies.models import twisting_hemisphere
 from studies.models.concentric_spheres import WAY, ConcentricSpheres
 from studies.models.twisting_hemisphere import TwistingHemisphere
 
-TORQUE_BAR = 0.03
-"""Distance from what the published torques span, relative to them."""
+TORQUE_BAR = 0.03  # distance from what the published torques span, relative to them
 HEMISPHERES = {
     "coarse mesh": TwistingHemisphere(),
     "fine mesh": TwistingHemisphere(10, name="twisting-hemisphere-fine"),
@@ -26,22 +25,17 @@ FEBIO_HEMISPHERE = TwistingHemisphere(interface=InterfaceType.ELASTIC, name="twi
 MESHES = {"coarse mesh": (6, 2, 45), "fine mesh": (8, 3, 90)}
 """Of the spheres: elements along the edge of a patch and through a shell, and steps."""
 SPHERES, SMOOTH_SPHERES = "spheres", "smooth spheres"
-COEFFICIENTS = {SPHERES: 0.5, SMOOTH_SPHERES: 0.0}
-"""Friction coefficients of the problems of spheres."""
+COEFFICIENTS = {SPHERES: 0.5, SMOOTH_SPHERES: 0.0}  # friction coefficients of the problems of spheres
 
 
 @dataclass(frozen=True)
 class Row:
     """A place on a curve."""
 
-    problem: str
-    """"torque" or "force" of the hemisphere, `SPHERES` or `SMOOTH_SPHERES`."""
-    series: str
-    """A mesh, or who published it."""
-    place: float
-    """Degrees or mm."""
-    value: float
-    """N mm or N."""
+    problem: str  # "torque" or "force" of the hemisphere, `SPHERES` or `SMOOTH_SPHERES`
+    series: str  # a mesh, or who published it
+    place: float  # degrees or mm
+    value: float  # N mm or N
 
 
 def hemisphere_rows(series: str, runner: Runner) -> list[Row]:

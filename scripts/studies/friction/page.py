@@ -17,8 +17,7 @@ from studies.pages.scene_results import Row, Took
 
 CASES_SOURCE = "friction-cases.csv"
 MODELS_SOURCE = scene_results.DATA.name
-RUBS = "friction-"
-"""What the names of the synthetic test scenes with friction begin with."""
+RUBS = "friction-"  # what the names of the synthetic test scenes with friction begin with
 
 
 def figures() -> Mapping[str, str]:

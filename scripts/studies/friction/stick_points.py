@@ -4,12 +4,19 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
+from pathlib import Path
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.parts import Param
 from harness.post import compare
 from harness.run.runner import Runner, RunResult
-from studies import tables, timing
+from studies import files, tables, timing
+from studies.cost import pareto
 from studies.cost.points import AUGLAG_START
 from studies.models.partial_slip import FRICTION as PARTIAL
 from studies.models.partial_slip import PartialSlip
@@ -18,21 +25,16 @@ from studies.models.sheared_blocks import SHEAR, Kind, ShearedBlocks
 from studies.post import slip_zones
 from studies.stamps import at_limit
 
-SOURCE = "friction-cost.csv"
-"""Below docs/data."""
-PAIRS = 3
-"""How often a sheared block and its conforming reference are timed, in turn, and a short run of partial slip."""
-ELEMENTS = 8
-"""Over half the width of the contact in partial slip."""
+SOURCE = "friction-cost.csv"  # below docs/data
+PAIRS = 3  # how often a sheared block and its conforming reference are timed, in turn, and a short run of partial slip
+ELEMENTS = 8  # over half the width of the contact in partial slip
 
 
 class Problem(str, Enum):
     """What is measured."""
 
-    STICK = "stick"
-    """A biphasic block, pressed and sheared, split: nothing should slip."""
-    PARTIAL = "partial slip"
-    """A cylinder in partial slip: half-width of the zone that sticks."""
+    STICK = "stick"  # a biphasic block, pressed and sheared, split: nothing should slip
+    PARTIAL = "partial slip"  # a cylinder in partial slip: half-width of the zone that sticks
 
 
 class Parameter(str, Enum):
@@ -132,10 +134,7 @@ class Datum:
 def measure(points: Sequence[Point], runner: Runner) -> list[Datum]:
     """Run points; short runs of partial slip are repeated in turn.
 
-    Raises
-    ------
-    HarnessError
-        Without an engine or plugin, or where the conforming reference does not run.
+    Raises HarnessError without an engine or plugin, or where the conforming reference does not run.
     """
     runs = {point: point.run(runner) for point in points}
     slipping = {p: run for p, run in runs.items() if p.problem is Problem.PARTIAL and run.report.normal}
@@ -158,12 +157,11 @@ def _error_and_ratios(run: RunResult, runner: Runner) -> tuple[float, list[float
     """The error of a sheared block, and its times over those of the conforming reference, run in turn."""
     joined = ShearedBlocks(Kind.BIPHASIC, InterfaceType.CONFORMING, name="friction-cost-conforming")
     reference = runner(joined.model())
-    pairs = timing.beside(run.model, reference.model, PAIRS)
-    return displaced(run, reference), [own.cpu / other.cpu for own, other in pairs]
+    own, others = timing.interleave({"own": run.model, "reference": reference.model}, PAIRS).values()
+    return displaced(run, reference), timing.ratios(own, others)
 
 
-LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)
-"""Errors at which interfaces are compared."""
+LEVELS = (1e-2, 1e-3, 1e-4, 1e-6)  # errors at which interfaces are compared
 
 
 def least_time(data: Sequence[Datum]) -> str:
@@ -224,3 +222,55 @@ def figures(data: Sequence[Datum]) -> dict[str, str]:
 def displaced(split: RunResult, reference: RunResult) -> float:
     """Largest difference of a displacement, relative to the shear."""
     return max(compare.largest_difference(split, reference, axis) for axis in ("ux", "uy", "uz")) / SHEAR
+
+
+PICTURE = "images/friction-cost.svg"
+LOOKS = {"sliding-mixture": "#7a1f1f", "sliding-biphasic": "#2f5d9e"}
+"""Colours of the interfaces."""
+LABELS = {
+    Problem.STICK: (
+        "elastic slip over the shear [-]",
+        "processor time over that of the conforming reference [-]",
+    ),
+    Problem.PARTIAL: ("error of the half-width that sticks [-]", "processor time [s]"),
+}
+
+
+def draw(data: Sequence[Datum], path: Path) -> Path:
+    """Both problems, one below the other, with a line for each interface, as SVG."""
+    figure = Figure(figsize=(5.4, 6.6), layout="constrained", facecolor="white")
+    for axes, problem in zip(figure.subplots(len(Problem), 1), Problem, strict=True):
+        _panel(axes, [d for d in data if d.problem == problem.value and d.ended])
+        _mark_failed(axes, [d for d in data if d.problem == problem.value and not d.ended])
+        axes.set(xlabel=LABELS[problem][1], ylabel=LABELS[problem][0], xscale="log", yscale="log")
+        axes.xaxis.set_major_formatter("{x:g}")
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 2.5, 3.0, 5.0)))
+        axes.set_title(problem.value, fontsize=11, loc="left")
+    handles = [Line2D([], [], color=colour, marker="o", markersize=4, label=name) for name, colour in LOOKS.items()]
+    handles.append(Line2D([], [], color="0.3", marker="*", linestyle="", markersize=10, label="defaults"))
+    figure.legend(handles=handles, fontsize=9, ncols=3, loc="outside upper center", frameon=False)
+    return files.save_figure(figure, path)
+
+
+def _panel(axes: Axes, data: Sequence[Datum]) -> None:
+    """Settings as dots, the default as a star, and a line through those that no other one of the interface beats."""
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.grid(alpha=0.25)
+    for name, colour in LOOKS.items():
+        own = [d for d in data if d.interface == name]
+        axes.plot([d.time for d in own], [d.error for d in own], "o", color=colour, markersize=4, alpha=0.35, mew=0)
+        best = pareto.front(own, lambda d: (d.time, d.error))
+        line = {"color": colour, "marker": "o", "markersize": 4.5, "linewidth": 1.8}
+        axes.step([d.time for d in best], [d.error for d in best], where="post", **line)
+        default = [d for d in own if d.parameter == Parameter.DEFAULT.value]
+        axes.plot([d.time for d in default], [d.error for d in default], "*", color=colour, markersize=12)
+
+
+def _mark_failed(axes: Axes, data: Sequence[Datum]) -> None:
+    """Runs that did not end, in a row at the upper right corner: they have neither an error nor a time to compare."""
+    for number, datum in enumerate(data):
+        drawn = axes.plot(1.0 - 0.04 * number, 1.0, "x", transform=axes.transAxes, clip_on=False)[0]
+        drawn.set(color=LOOKS[datum.interface], markersize=6, gid=f"failed {datum.interface}")
+    if data:
+        axes.text(1.0, 0.96, "x: did not complete", transform=axes.transAxes, ha="right", va="top", fontsize=8)

@@ -56,21 +56,18 @@ Through = partial(
     AgainstReference, inlet=0.4, shortening=0.01, gap=1e-7, across=(2, 2), below=(1.0,), above=(0.9,), initial=(1.0,)
 )
 """A flow through both blocks, at Pe = 1 with the usual gel, and a layer of less solute at the outlet."""
-SHARP = 0.5
-"""Conditions hold as averages around nodes: at an edge or a corner the error is a part of a facet."""
+SHARP = 0.5  # conditions hold as averages around nodes: at an edge or a corner the error is a part of a facet
 SOFT = 0.2
 """Where penalties are soft the case itself checks how deep the overlap is; it cannot exceed what the blocks are
 shortened by, 0.05 mm on facets of 0.25 mm."""
 TWO = replace(GEL, solutes=(Solute(1), Solute(2)))
-DIFFUSION_TIME = 2000.0
-"""L^2/d of one block of the usual gel, s."""
+DIFFUSION_TIME = 2000.0  # L^2/d of one block of the usual gel, s
 DECADES = tuple(float(t) for t in DIFFUSION_TIME * 10.0 ** np.arange(-6.0, 4.01, 0.5))
 LOG_TIMES = tuple(float(t) for t in 100.0 * 10.0 ** np.arange(0.0, 9.1, 0.5))
 """To beyond the diffusion time of a body that is 1e6 times as slow, s."""
 LOG_PATH = ((0.0, 0.0), *zip(LOG_TIMES, np.linspace(0.1, 1.0, len(LOG_TIMES)).tolist(), strict=True))
 """Something moves in each step."""
-CYCLES = tuple((100.0 * k, 1.0 if k % 2 else -1.0) for k in range(1, 21))
-"""Ten times closed and opened."""
+CYCLES = tuple((100.0 * k, 1.0 if k % 2 else -1.0) for k in range(1, 21))  # ten times closed and opened
 TO_THE_END = tuple(5000.0 + 4000.0 * k for k in range(6))
 STEPS_40 = tuple(float(t) for t in range(50, 2001, 50))
 PUSH = tuple(float(t) for t in range(50, 1001, 50))

@@ -68,12 +68,9 @@ GROUPS = {
     ),
 }
 """Cases by their kind."""
-SEVERITY = {End.PASSES: 0, End.MISSES: 1, End.FAILS: 10, End.LIMIT: 10}
-"""How much an end counts in the order of rows."""
-ROW, LABEL, CELL = 0.44, 3.02, 0.86
-"""Height of a row, width of the labels and of a cell, inches."""
-LETTERS = 38
-"""In a line of a label."""
+SEVERITY = {End.PASSES: 0, End.MISSES: 1, End.FAILS: 10, End.LIMIT: 10}  # how much an end counts in the order of rows
+ROW, LABEL, CELL = 0.44, 3.02, 0.86  # height of a row, width of the labels and of a cell, inches
+LETTERS = 38  # in a line of a label
 Row = Mapping[str, Outcome]
 
 

@@ -14,12 +14,9 @@ from harness.run.runner import Runner, RunResult
 from studies.hard_cases import variants
 from studies.hard_cases.scene import NEWTON, Case, prescribed
 
-ROUNDING = 1e-12
-"""Of the sums over two sides of a contact, relative to their largest value."""
-INVARIANT = 1e-9
-"""Relative difference of two runs of the same model written differently."""
-LOG_ROUNDING = 5e-13
-"""Largest relative rounding of node data."""
+ROUNDING = 1e-12  # of the sums over two sides of a contact, relative to their largest value
+INVARIANT = 1e-9  # relative difference of two runs of the same model written differently
+LOG_ROUNDING = 5e-13  # largest relative rounding of node data
 MASS = 0.1 * NEWTON
 """Solute that appears in a run, relative to the largest content: what Newton's iterations leave at all other nodes."""
 

@@ -33,17 +33,14 @@ class Attempt:
     case: str
     mesh: str
     interface: str
-    ended: bool
-    """Whether the run ended normally."""
-    reached: float
-    """Part of the case's time that was reached."""
-    limited: bool
-    """Whether the limit ended it."""
+    ended: bool  # whether the run ended normally
+    reached: float  # part of the case's time that was reached
+    limited: bool  # whether the limit ended it
+    # Iterations and residuals are 0 where FEBio wrote no summary.
     steps: int
     iterations: int
     residuals: int
     retries: int
-    """Iterations and residuals are 0 where FEBio wrote no summary."""
 
     @property
     def counts(self) -> str:
@@ -57,8 +54,7 @@ class Attempt:
 class Outcome(Attempt):
     """An attempt as a row of the table."""
 
-    missed: str
-    """Checks that it misses, with semicolons between them."""
+    missed: str  # checks that it misses, with semicolons between them
 
     @property
     def end(self) -> End:
@@ -76,8 +72,7 @@ class Outcome(Attempt):
 
 
 _MARKS = {End.PASSES: "", End.MISSES: "misses: ", End.FAILS: "fails: ", End.LIMIT: "limit: "}
-Table = dict[tuple[str, str], dict[str, Outcome]]
-"""By case and mesh, then by interface."""
+Table = dict[tuple[str, str], dict[str, Outcome]]  # by case and mesh, then by interface
 
 
 def arranged(outcomes: Sequence[Outcome]) -> Table:

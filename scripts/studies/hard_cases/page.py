@@ -12,8 +12,7 @@ from studies.hard_cases.scene import Fineness, Interface
 from studies.pages.evidence import DATA, EvidencePage
 
 SOURCE, PICTURE = "hard-cases.csv", "images/hard-cases.svg"
-ABOUT = {name: case.about for name, case in CASES.items()}
-"""What each case is about."""
+ABOUT = {name: case.about for name, case in CASES.items()}  # what each case is about
 
 
 def figures() -> Mapping[str, str]:
@@ -56,12 +55,10 @@ def _completed(runs: Sequence[Outcome]) -> int:
 
 
 def _missing(runs: Sequence[Outcome]) -> list[Outcome]:
-    """Runs that end and miss checks."""
     return [run for run in runs if run.end is outcomes.End.MISSES]
 
 
-SLIGHT = 1e-6
-"""A relative difference below this says nothing of a solution."""
+SLIGHT = 1e-6  # a relative difference below this says nothing of a solution
 _FURTHER = "a further run that a check needs"
 _PRINTED = re.compile(r"(\S+) \(tolerance ([^,)]+)[,)]")
 """Value and tolerance of a check that is missed, as the data have them."""

@@ -10,41 +10,27 @@ import numpy as np
 from scipy.optimize import brentq
 
 from harness.arrays import Array
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.mesh import Box, Layer, Mesh, Section, assemble, conforming_column
-from harness.models.parts import (
-    Condition,
-    Curve,
-    Mixture,
-    Param,
-    Solid,
-    TimeStepper,
-    concentration,
-    displace,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    pressure,
-)
 from harness.post.compare import Measure
 from harness.run.runner import Runner, RunResult
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
-RAMP = tuple(100.0 * k for k in range(1, 11))
-"""Times (s) of the steps in which the blocks are moved."""
+RAMP = tuple(100.0 * k for k in range(1, 11))  # times (s) of the steps in which the blocks are moved
 HOLD = tuple(1000.0 + 4000.0 * k for k in range(1, 7))
 """Times (s) of the steps after it: each takes off 5/6 of what is left. Many more would ask
 Newton for less than rounding."""
 
 
-def stress(solid: Solid, stretch: float) -> float:
+def stress(solid: parts.Solid, stretch: float) -> float:
     """Axial Cauchy stress (MPa) of FEBio's neo-Hookean solid, confined: mu (s^2 - 1)/s + lambda ln(s)/s."""
     shear = solid.modulus / (2.0 * (1.0 + solid.poisson))
     lame = solid.modulus * solid.poisson / ((1.0 + solid.poisson) * (1.0 - 2.0 * solid.poisson))
     return float(shear * (stretch**2 - 1.0) / stretch + lame * np.log(stretch) / stretch)
 
 
-def stretches(below: Solid, above: Solid, shortening: float) -> tuple[float, float]:
+def stretches(below: parts.Solid, above: parts.Solid, shortening: float) -> tuple[float, float]:
     """Stretches of two blocks of 1 mm in series that are shortened by `shortening` (mm) together."""
 
     def other(stretch: float) -> float:
@@ -56,51 +42,40 @@ def stretches(below: Solid, above: Solid, shortening: float) -> tuple[float, flo
     return float(found), float(other(found))
 
 
-def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[Condition]:
+def ambient_at(where: str, values: tuple[float, ...], fluid: float = 0.0) -> list[parts.Condition]:
     """Ambient fluid pressure (MPa) and concentrations (mM) on a node set, so p~ = p - R T Phi c."""
-    held = [pressure(where, effective_pressure(sum(values), fluid))]
-    return held + [concentration(where, value, sol=number) for number, value in enumerate(values, 1)]
+    held = [parts.pressure(where, parts.effective_pressure(sum(values), fluid))]
+    return held + [parts.concentration(where, value, sol=number) for number, value in enumerate(values, 1)]
 
 
 @dataclass(frozen=True)
 class Press:
     """Two blocks of 1 mm, the upper one moved down."""
 
-    lower: Mixture = GEL
-    upper: Mixture = GEL
+    lower: parts.Mixture = GEL
+    upper: parts.Mixture = GEL
     gap: float = 0.0
     """Distance at the start, in elements of the upper block if `in_elements`, else in mm; negative for an overlap."""
     in_elements: bool = False
-    shortening: float = 0.05
-    """Of both blocks at the end, mm: the upper one's top moves by this and the gap."""
+    shortening: float = 0.05  # of both blocks at the end, mm: the upper one's top moves by this and the gap
     path: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1000.0, 1.0))
     """Way of the top over time (s): 1 where the blocks are shortened by `shortening`, 0 at the start."""
-    times: tuple[float, ...] = (*RAMP, *HOLD)
-    """Ends of the time steps, s."""
-    width: tuple[float, float] = (1.0, 1.0)
-    """Cross-section, mm."""
-    across: tuple[int, int] | None = None
-    """Elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3."""
-    warp: float = 0.0
-    """Height (mm) by which the surfaces in contact are warped."""
+    times: tuple[float, ...] = (*RAMP, *HOLD)  # ends of the time steps, s
+    width: tuple[float, float] = (1.0, 1.0)  # cross-section, mm
+    across: tuple[int, int] | None = None  # elements along x and y on both meshes; by default 2 x 2, and 4 x 4 on 3 x 3
+    warp: float = 0.0  # height (mm) by which the surfaces in contact are warped
+    # Concentration of each solute below and above, mM.
     below: tuple[float, ...] = (1.0,)
     above: tuple[float, ...] = (0.0,)
-    """Concentration of each solute below and above, mM."""
-    initial: tuple[float, ...] = ()
-    """Concentration of each solute at the start, mM; without it none."""
-    newton: float = NEWTON
-    """Newton's relative tolerances."""
-    penalties: float = 1.0
-    """Factor on all penalties."""
-    augmented: float | None = None
-    """Relative tolerance of augmentations (AUGLAG); without it there are none."""
-    extra: tuple[Param, ...] = field(default=())
-    inlet: float = 0.0
-    """Fluid pressure below, MPa; none above."""
-    stepper: TimeStepper | None = None
+    initial: tuple[float, ...] = ()  # concentration of each solute at the start, mM; without it none
+    newton: float = NEWTON  # Newton's relative tolerances
+    penalties: float = 1.0  # factor on all penalties
+    augmented: float | None = None  # relative tolerance of augmentations (AUGLAG); without it there are none
+    extra: tuple[parts.Param, ...] = field(default=())
+    inlet: float = 0.0  # fluid pressure below, MPa; none above
+    stepper: parts.TimeStepper | None = None
     """Chooses the time steps instead of `times`, whose first and last entries then are the first step and the end."""
-    tolerance: float = 2e-3
-    """Largest error allowed of force and concentration, relative to their largest values."""
+    tolerance: float = 2e-3  # largest error allowed of force and concentration, relative to their largest values
     name: str = "press"
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
@@ -110,21 +85,20 @@ class Press:
         control, steps = timed(self.times, 2, self.newton)
         control = replace(control, stepper=self.stepper or control.stepper)
         conditions = (
-            fix("all", "xy"),
-            fix("lower-bottom", "z"),
-            displace("upper-top", "z", top, 1),
+            parts.fix("all", "xy"),
+            parts.fix("lower-bottom", "z"),
+            parts.displace("upper-top", "z", top, 1),
             *ambient_at("lower-bottom", self.below, self.inlet),
             *ambient_at("upper-top", self.above),
-            *(initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
+            *(parts.initial_concentration("all", value, sol=number) for number, value in enumerate(self.initial, 1)),
         )
         joined = interface.contacts(made, self.extra, self.penalties, self.augmented)
         text = f"Hard case {self.name}: two confined blocks, the upper one moved down."
         about, materials = (self.name, text, "multiphasic"), {"lower": self.lower, "upper": self.upper}
-        curves = (Curve(self.path), steps)
+        curves = (parts.Curve(self.path), steps)
         return finished(Model(*about, made, materials, conditions, control, joined, curves), interface)
 
     def _gap(self, mesh: Fineness) -> float:
-        """Mm."""
         return self.gap / self._elements(mesh)[1][2] if self.in_elements else self.gap
 
     def _elements(self, mesh: Fineness) -> tuple[tuple[int, int, int], tuple[int, int, int]]:

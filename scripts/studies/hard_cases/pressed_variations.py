@@ -17,18 +17,15 @@ from studies.hard_cases.invariants import INVARIANT
 from studies.hard_cases.press import Press
 from studies.hard_cases.scene import NEWTON, Interface
 
-SETTLED = 500
-"""Steps of `Steady` after which nothing moves."""
-SPLIT = NEWTON
-"""Largest difference of the split body from its reference, relative to the largest value of a variable."""
+SETTLED = 500  # steps of `Steady` after which nothing moves
+SPLIT = NEWTON  # largest difference of the split body from its reference, relative to the largest value of a variable
 
 
 @dataclass(frozen=True)
 class AgainstReference(Press):
     """Where convection leaves no simple closed form: the split body against the conforming reference."""
 
-    transient: bool = True
-    """Whether all times are compared, or the steady state alone."""
+    transient: bool = True  # whether all times are compared, or the steady state alone
 
     def check(self, run: RunResult, rerun: Runner) -> list[Measure]:
         """Pressure and concentrations at all nodes."""

@@ -25,10 +25,8 @@ class Shape:
     """A body with what it touches with and what it is held by."""
 
     body: Body
-    contact: Ids
-    """Node numbers from 0. Shape (n_facets, 4)."""
-    grip: Ids
-    """Node numbers from 0."""
+    contact: Ids  # node numbers from 0. Shape (n_facets, 4)
+    grip: Ids  # node numbers from 0
 
 
 def faces(body: Body, axes: str, ends: float) -> Ids:
@@ -84,19 +82,13 @@ class Pushed:
     shape: Callable[[int], Shape]
     """The lower and the upper body for a factor (1 or 2) on the number of elements along each edge."""
     motion: Motion
-    times: tuple[float, ...]
-    """Ends of the time steps, s."""
-    bounds: Callable[[RunResult], list[Measure]]
-    """The physical checks: from a run, measures."""
-    plane: bool = True
-    """Whether nothing moves along y."""
+    times: tuple[float, ...]  # ends of the time steps, s
+    bounds: Callable[[RunResult], list[Measure]]  # the physical checks: from a run, measures
+    plane: bool = True  # whether nothing moves along y
     name: str = "pushed"
-    half: bool = False
-    """Whether x = 0 is a plane of symmetry at which the model ends."""
-    base_is_primary: bool = False
-    """Whether the base has the primary surface."""
-    extra: tuple[Param, ...] = ()
-    """Further parameters of every interface."""
+    half: bool = False  # whether x = 0 is a plane of symmetry at which the model ends
+    base_is_primary: bool = False  # whether the base has the primary surface
+    extra: tuple[Param, ...] = ()  # further parameters of every interface
 
     def model(self, mesh: Fineness, interface: Interface) -> Model:
         axes = "xz" if self.plane else "xyz"

@@ -22,10 +22,8 @@ from studies.stamps import at_limit
 class Record(Attempt):
     """An attempt with what was checked of it."""
 
-    failures: str
-    """How attempts at steps failed."""
-    measures: list[Measure]
-    """All checks that could be made."""
+    failures: str  # how attempts at steps failed
+    measures: list[Measure]  # all checks that could be made
 
     @property
     def missed(self) -> list[Measure]:
@@ -45,13 +43,7 @@ class Record(Attempt):
 
 
 def make(runner: Runner, name: str, mesh: Fineness, interface: Interface) -> Record:
-    """Run a case and check it.
-
-    Raises
-    ------
-    HarnessError
-        For an unknown case, or without an engine or plugin.
-    """
+    """Run a case and check it. Raises HarnessError for an unknown case, or without an engine or plugin."""
     if name not in CASES:
         raise HarnessError(f"'{name}' is no hard case; there is {', '.join(CASES)}")
     case = CASES[name]
@@ -91,13 +83,7 @@ def write(records: Sequence[Record], path: Path) -> None:
 
 
 def read(path: Path) -> list[Record]:
-    """Read what `write` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that holds no such records.
-    """
+    """Read what `write` wrote. Raises DataFileError: a missing file, or one that holds no such records."""
     try:
         entries = json.loads(path.read_text())
         return [Record(**e | {"measures": measures_from_data(e["measures"])}) for e in entries]

@@ -13,10 +13,8 @@ from studies.hard_cases.catalogue import CORNER, CURVED, EDGE, PRESSED, TURNED, 
 from studies.hard_cases.pushed import Pushed, Shape, along, grip_force, slab, spinning
 from studies.models.pieces import Motion
 
-FRICTION, SOLID_FRACTION = 0.3, 0.1
-"""mu_eq and phi of the cases that do not say otherwise."""
-TILT = 0.05 / 0.25
-"""Largest slope of the contact: a block of 0.5 mm sinks in by no more than 0.05 mm."""
+FRICTION, SOLID_FRACTION = 0.3, 0.1  # mu_eq and phi of the cases that do not say otherwise
+TILT = 0.05 / 0.25  # largest slope of the contact: a block of 0.5 mm sinks in by no more than 0.05 mm
 Path = tuple[tuple[float, tuple[float, float, float]], ...]
 
 
@@ -61,10 +59,8 @@ def free(run: RunResult) -> list[Measure]:  # noqa: ARG001 other scenes look at 
 class Rubbing:
     """A hard case of friction."""
 
-    about: str
-    """What is hard about it, in a few words."""
-    scene: Pushed
-    """With the parameters of friction."""
+    about: str  # what is hard about it, in a few words
+    scene: Pushed  # with the parameters of friction
 
     @property
     def frictionless(self) -> Pushed:
@@ -80,7 +76,6 @@ def _slide(
     solid_fraction: float = SOLID_FRACTION,
     least: float = 0.5,
 ) -> Pushed:
-    """A block on a track."""
     bounds = partial(held_back, friction=friction, least=least)
     return Pushed(track, block, along(path), times, bounds, extra=rubs(friction, solid_fraction))
 

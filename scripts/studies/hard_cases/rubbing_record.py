@@ -11,10 +11,8 @@ from studies.hard_cases.outcomes import Attempt, Outcome
 from studies.hard_cases.rubbing import CASES
 from studies.hard_cases.scene import Fineness, Interface
 
-MOST_ITERATIONS = 1.3
-"""Newton iterations with friction over those without."""
-BALANCE = 1e-12
-"""By how much more the flows of the two sides may be out of balance than without friction."""
+MOST_ITERATIONS = 1.3  # Newton iterations with friction over those without
+BALANCE = 1e-12  # by how much more the flows of the two sides may be out of balance than without friction
 FRICTIONLESS = "sliding-mixture, no friction"
 """What joins the bodies in the scene without friction, as a table calls it."""
 
@@ -24,16 +22,11 @@ class Record:
     """What came of a case on one mesh."""
 
     friction: Attempt
-    frictionless: Attempt
-    """With sliding-mixture."""
-    febio: list[Attempt]
-    """With FEBio's friction."""
-    failures: str
-    """How attempts at steps failed with friction."""
-    costs: list[Measure]
-    """Iterations and retries beside those without friction."""
-    measures: list[Measure]
-    """Balances, and what the scene asks for."""
+    frictionless: Attempt  # with sliding-mixture
+    febio: list[Attempt]  # with FEBio's friction
+    failures: str  # how attempts at steps failed with friction
+    costs: list[Measure]  # iterations and retries beside those without friction
+    measures: list[Measure]  # balances, and what the scene asks for
 
     @property
     def passed(self) -> bool:
@@ -63,10 +56,7 @@ class Record:
 def make(runner: Runner, name: str, mesh: Fineness, febio: Sequence[Interface] = ()) -> Record:
     """Run a case with friction and without, and with FEBio's.
 
-    Raises
-    ------
-    EngineNotFoundError, PluginNotFoundError
-        See `harness.run.engine`.
+    Raises EngineNotFoundError, PluginNotFoundError: see `harness.run.engine`.
     """
     case = CASES[name]
     run = runner(case.scene.model(mesh, Interface.MIXTURE), check=False)

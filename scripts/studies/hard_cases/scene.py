@@ -99,15 +99,12 @@ class Scene(Protocol):
 class Case:
     """A hard case."""
 
-    about: str
-    """What is hard about it, in a few words."""
+    about: str  # what is hard about it, in a few words
     scene: Scene
-    undershoot: float = UNDERSHOOT
-    """How far concentrations may leave their range, relative to it."""
+    undershoot: float = UNDERSHOOT  # how far concentrations may leave their range, relative to it
     pointwise: float = 0.02
     """Deepest overlap, and largest gap under load, of the facets' means, relative to the length of a facet."""
-    swap: float = 0.05
-    """Relative difference with primary and secondary exchanged: the error of these coarse meshes."""
+    swap: float = 0.05  # relative difference with primary and secondary exchanged: the error of these coarse meshes
 
 
 def timed(times: Sequence[float], curve: int, newton: float = NEWTON) -> tuple[Control, Curve]:

@@ -14,12 +14,9 @@ from harness.run.runner import Runner, RunResult
 from studies.hard_cases.press import HOLD, RAMP, ambient_at, stress, stretches
 from studies.hard_cases.scene import GEL, Fineness, Interface, finished, timed
 
-SHORTENING = 0.05
-"""Of a block and the slab of `Seesaw`, mm."""
-GAP, LOAD = 0.02, 0.03
-"""Of `Dropped`, mm and MPa."""
-CUSHION = Solid(0.01)
-"""The regularisation of `Dropped`: 1 mm of it."""
+SHORTENING = 0.05  # of a block and the slab of `Seesaw`, mm
+GAP, LOAD = 0.02, 0.03  # of `Dropped`, mm and MPa
+CUSHION = Solid(0.01)  # the regularisation of `Dropped`: 1 mm of it
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,8 @@ from studies.hard_cases.press import ambient_at
 from studies.hard_cases.scene import GEL, NEWTON, Fineness, Interface, finished, timed
 
 SOLID = Solid(1.0, 0.49)
-SHORTENING = 0.1
-"""Of both blocks, mm."""
-TIMES = (2e-3, *(2e-3 * 10.0 ** (k / 2) for k in range(1, 17)))
-"""Ends of the time steps, s."""
+SHORTENING = 0.1  # of both blocks, mm
+TIMES = (2e-3, *(2e-3 * 10.0 ** (k / 2) for k in range(1, 17)))  # ends of the time steps, s
 OVERLAP = 2.0**-10
 """mm at the start: surfaces that touch without one may count as open or closed, which the pressure depends on."""
 

@@ -11,10 +11,8 @@ from harness.models.mesh import Mesh
 from harness.models.parts import Condition, Elastic, Material, Param, Rigid
 from harness.run.runner import RunResult
 
-TURNED = {"x": "y", "y": "z", "z": "x"}
-"""A third of a turn about the diagonal: each axis becomes the next one."""
-SHIFT = np.array([2.0, -1.0, 4.0])
-"""mm."""
+TURNED = {"x": "y", "y": "z", "z": "x"}  # a third of a turn about the diagonal: each axis becomes the next one
+SHIFT = np.array([2.0, -1.0, 4.0])  # mm
 
 
 def swapped(model: Model) -> Model:

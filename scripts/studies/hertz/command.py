@@ -10,9 +10,7 @@ DATA, PICTURE = "data/biphasic-hertz.csv", "images/biphasic-hertz.svg"
 ELASTIC_DATA, ELASTIC_PICTURE = "data/elastic-hertz.csv", "images/elastic-hertz.svg"
 
 
-def biphasic_hertz(
-    folder: Site = RESULTS / "hertz",
-) -> None:
+def biphasic_hertz(folder: Site = RESULTS / "hertz") -> None:
     """Press two thin biphasic layers together, on two meshes, and compare with the closed form."""
     runner = Runner(RESULTS / "runs")
     rows = []
@@ -25,9 +23,7 @@ def biphasic_hertz(
     console.print(f"Written: {folder / DATA}, {figures.draw(rows, folder / PICTURE)}")
 
 
-def elastic_hertz(
-    folder: Site = RESULTS / "hertz",
-) -> None:
+def elastic_hertz(folder: Site = RESULTS / "hertz") -> None:
     """Press a cylinder and a sphere on a block, on two meshes each, and compare with Hertz's closed forms."""
     rows = elastic_profiles.all_rows(Runner(RESULTS / "runs"))
     files.write_csv(rows, elastic_profiles.ProfileRow, folder / ELASTIC_DATA, stamps.stamp())

@@ -22,9 +22,9 @@ class ProfileRow:
 
     problem: str
     mesh: str
+    # Distance of its middle from that of the contact (mm), and mean pressure (MPa).
     place: float
     pressure: float
-    """Distance of its middle from that of the contact (mm), and mean pressure (MPa)."""
     radius: float
     peak: float
     """Half-width or radius of the contact (mm) and peak pressure (MPa) of the closed form, for the force that passes.

@@ -33,8 +33,7 @@ def figures() -> Mapping[str, str]:
     }
 
 
-HALF = 0.5
-"""Part of its tolerance from which on a figure is near to it."""
+HALF = 0.5  # part of its tolerance from which on a figure is near to it
 
 
 def headline(sections: Sequence[Section]) -> str:

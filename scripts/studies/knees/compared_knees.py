@@ -8,7 +8,6 @@ from itertools import pairwise
 import numpy as np
 
 from harness.arrays import Array
-from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType
 from harness.models.knee.bearing import Load
 from harness.models.knee.tissues import TISSUES, Bodies
@@ -20,6 +19,7 @@ from harness.report import history, plot_file
 from harness.report.history import Contact
 from harness.report.plot_file import PlotFile, State
 from harness.run.runner import Runner, RunResult
+from studies.hard_cases.variants import swapped
 from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.stamps import at_limit
 
@@ -66,14 +66,9 @@ def _knee(bodies: Bodies, load: Load, size: Size, factor: float) -> Knee:
 def answers(runner: Runner) -> dict[Way, KneeRun]:
     """Runs of the elastic knee in stance by the plugin in all ways, on the mesh of which a run takes seconds."""
     knees = {way: Knee(size=Size.COARSE, settings=WAYS[way], name=f"knee-{way.name.lower()}") for way in Way}
-    models = {way: _swapped(knee.model()) if way is Way.SWAPPED else knee.model() for way, knee in knees.items()}
+    models = {way: knee.model() for way, knee in knees.items()}
+    models[Way.SWAPPED] = replace(swapped(models[Way.SWAPPED]), name=knees[Way.SWAPPED].name)
     return {way: _measured(knee, 0.0, runner(models[way], check=False)) for way, knee in knees.items()}
-
-
-def _swapped(model: Model) -> Model:
-    """The model with the secondary surface of each pair as primary."""
-    pairs = {name: (secondary, primary) for name, (primary, secondary) in model.mesh.pairs.items()}
-    return replace(model, mesh=replace(model.mesh, pairs=pairs))
 
 
 def run(knee: Knee, factor: float, runner: Runner) -> tuple[KneeRun, RunResult]:

@@ -18,8 +18,7 @@ from studies.models.kept_models import joint_before
 from studies.post import side_by_side
 from studies.post.side_by_side import Shown
 
-CONVERTED = "joint-converted.png"
-"""The picture of a joint before and after its conversion."""
+CONVERTED = "joint-converted.png"  # the picture of a joint before and after its conversion
 _INTO_SOCKET = ((-24.0, -14.0, 26.0), (0.0, 0.0, -6.0), (0.0, 0.0, 1.0))
 """The eye looks into the socket from above (mm)."""
 Done = tuple[KneeRun, RunResult]
@@ -27,8 +26,7 @@ FACTORS = (0.0, 10.0)
 """Of the penalties of the runs that are drawn: the plugin's defaults, and ten times FEBio's automatic penalties."""
 PICTURES = {"knee.png": ("elastic", "stance"), "porous-knee.png": ("biphasic", "stance")}
 """Bodies and loads by the names of their pictures."""
-_CAMERA = ((0.0, -75.0, 95.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""The eye is behind the knee and above it (mm)."""
+_CAMERA = ((0.0, -75.0, 95.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))  # the eye is behind the knee and above it (mm)
 
 
 def draw_all(done: Sequence[Done], folder: Path) -> list[Path]:

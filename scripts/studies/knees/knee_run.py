@@ -10,8 +10,7 @@ class Kind(str, Enum):
 
     ELASTIC = "elastic"
     POROUS = "porous"
-    WAYS = "ways"
-    """The coarse elastic knee in stance, with the plugin in all ways."""
+    WAYS = "ways"  # the coarse elastic knee in stance, with the plugin in all ways
 
 
 class Way(str, Enum):
@@ -31,38 +30,33 @@ class KneeRun:
     bodies: str
     load: str
     size: str
-    contact: str
-    """Type of the six contacts."""
-    factor: float
-    """Of FEBio's automatic penalties; 0 for the plugin's defaults."""
+    contact: str  # type of the six contacts
+    factor: float  # of FEBio's automatic penalties; 0 for the plugin's defaults
+    # Whether it ended normally, and whether the limit of processor time ended it.
     ended: bool
     limited: bool
-    """Whether it ended normally, and whether the limit of processor time ended it."""
-    reached: float
-    """Last time with a solution, s."""
+    reached: float  # last time with a solution, s
     steps: int
     iterations: int
     retries: int
+    # Processor time, s, and the largest memory, MB.
     seconds: float
     memory: float
-    """Processor time, s, and the largest memory, MB."""
+    # On the femur, N.
     force_medial: float = math.nan
     force_lateral: float = math.nan
-    """On the femur, N."""
+    # Of tibia and meniscus under the femur, mm^2.
     area_medial: float = math.nan
     area_lateral: float = math.nan
-    """Of tibia and meniscus under the femur, mm^2."""
+    # Largest mean pressure of a facet, MPa.
     peak_medial: float = math.nan
     peak_lateral: float = math.nan
-    """Largest mean pressure of a facet, MPa."""
-    overlap: float = math.nan
-    """Largest mean overlap of a facet under pressure, mm."""
+    overlap: float = math.nan  # largest mean overlap of a facet under pressure, mm
     fluid_most: float = math.nan
     fluid_last: float = math.nan
     """Part of the load that the fluid bears where the femur is in contact, largest and last, while the load is above
     half of its largest."""
-    appeared: float = math.nan
-    """Solute that appeared at nodes which nothing feeds, over the content at the end."""
+    appeared: float = math.nan  # solute that appeared at nodes which nothing feeds, over the content at the end
 
     @property
     def scene(self) -> tuple[str, str, str]:

@@ -10,8 +10,7 @@ from studies import files, tables
 from studies.knees.knee_run import Kind, KneeRun, Way
 from studies.pages.evidence import DATA, EvidencePage
 
-LIMIT = 900.0
-"""s of processor time for one run."""
+LIMIT = 900.0  # s of processor time for one run
 SOURCE = "knee.csv"
 _OURS = InterfaceType.MIXTURE.value
 _LIMITS = "The coarse mesh does not resolve the pressure. No conforming reference decides between the pressures."

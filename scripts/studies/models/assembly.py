@@ -13,10 +13,8 @@ from harness.models import blocks
 from harness.models.blocks import Body, Points
 from harness.models.mesh import Mesh, Part
 
-Inside = Callable[[Points], NDArray[np.bool_]]
-"""Which positions, shape (..., 3) in mm, belong to a set."""
-NEAR = 1e-9
-"""Tolerance for positions, mm."""
+Inside = Callable[[Points], NDArray[np.bool_]]  # which positions, shape (..., 3) in mm, belong to a set
+NEAR = 1e-9  # tolerance for positions, mm
 
 
 @dataclass(frozen=True)
@@ -57,10 +55,7 @@ def assembled(
 ) -> Mesh:
     """One mesh of bodies that share no nodes; each is a part whose material has its name.
 
-    Raises
-    ------
-    ModelError
-        Where a set or surface is empty: nothing of the mesh lies there.
+    Raises ModelError where a set or surface is empty: nothing of the mesh lies there.
     """
     names = list(bodies)
     ends = np.cumsum([len(body.nodes) for body in bodies.values()]).tolist()

@@ -19,27 +19,17 @@ from studies.closed_forms import biphasic_layers
 from studies.closed_forms.biphasic_layers import Shape
 from studies.models.assembly import NEAR, Chosen, assembled, everywhere, graded, plane, raised
 
-THICKNESS = 1.0
-"""Of each layer, mm."""
+THICKNESS = 1.0  # of each layer, mm
 CARTILAGE = Mixture(Solid(1.0), permeability=1e-3)
-RADIUS = 4e6
-"""mm; so large that strains are small, since the closed form is linear."""
-HALF_WIDTH = 80.0
-"""Of the contact when the load has come, by the closed form, mm."""
-LENGTH = 108.0
-"""Of the modelled half, mm."""
-DEPTH = 1.0
-"""mm, thickness of the plane problem."""
-RAMP, END = 0.02, 1.0
-"""Times in which the load rises and at which the run ends, in 1/chi."""
-OVERLAP = 0.05
-"""At the start, in parts of the approach when the load has come: a body under a force must be in contact."""
-HOLE = 0.5
-"""Radius that a sphere's layers begin at, mm: elements at the axis itself would have no inner side."""
-PRESSING, HOLDING = 4, 12
-"""Time steps of rising and of constant load; those grow from one to the next."""
-GROWTH = 1.3
-"""Of time steps under constant load."""
+RADIUS = 4e6  # mm; so large that strains are small, since the closed form is linear
+HALF_WIDTH = 80.0  # of the contact when the load has come, by the closed form, mm
+LENGTH = 108.0  # of the modelled half, mm
+DEPTH = 1.0  # mm, thickness of the plane problem
+RAMP, END = 0.02, 1.0  # times in which the load rises and at which the run ends, in 1/chi
+OVERLAP = 0.05  # at the start, in parts of the approach when the load has come: a body under a force must be in contact
+HOLE = 0.5  # radius that a sphere's layers begin at, mm: elements at the axis itself would have no inner side
+PRESSING, HOLDING = 4, 12  # time steps of rising and of constant load; those grow from one to the next
+GROWTH = 1.3  # of time steps under constant load
 LOAD_CURVE, STEP_CURVE = 1, 2
 
 ABOUT = """\
@@ -57,15 +47,14 @@ class BiphasicHertz(ABC):
 
     draining: bool = False
     """Whether solvent leaves through the surfaces that are not in contact; the closed form has them impermeable."""
+    # Elements along the modelled half-width or radius and through each layer.
     across: int = 72
     through: int = 3
-    """Elements along the modelled half-width or radius and through each layer."""
     name: str = "biphasic-hertz"
 
     shape: ClassVar[Shape]
     about: ClassVar[str]
-    modelled: ClassVar[float]
-    """Part of the force that acts on what is modelled; of a line, of the force per length, mm."""
+    modelled: ClassVar[float]  # part of the force that acts on what is modelled; of a line, of the force per length, mm
     held: ClassVar[tuple[tuple[str, str], ...]]
     """By symmetry: sets of the cartilage's nodes, and the axes along which they stay."""
 
@@ -146,7 +135,6 @@ class BiphasicHertz(ABC):
         )
 
     def _times(self) -> NDArray[np.float64]:
-        """Ends of the time steps, s."""
         (_, _), (ramp, _), (end, _) = self.load.points
         pressing = np.linspace(0.0, ramp, PRESSING + 1)[1:]
         return np.concatenate([pressing, (ramp + graded(end - ramp, HOLDING, GROWTH))[1:]])
@@ -216,8 +204,7 @@ class BiphasicLine(BiphasicHertz):
 class BiphasicSphere(BiphasicHertz):
     """Contact over a circle: a quarter of it."""
 
-    around: int = 4
-    """Elements around the quarter."""
+    around: int = 4  # elements around the quarter
     name: str = "biphasic-hertz-sphere"
 
     shape = Shape.SPHERE

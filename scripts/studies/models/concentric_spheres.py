@@ -15,10 +15,8 @@ from studies.models.pieces import hold, with_friction
 INNER, MIDDLE, OUTER = 10.0, 12.0, 14.0
 """Radii of the inner shell's inner face, of the contact between the shells, and of the outer shell's outer face, mm."""
 SOLID = Solid(1.0, 0.3)
-WAY = 9.0
-"""mm by which the upper plane comes down."""
-WIDTH, THICK = 20.0, 1.0
-"""Of the planes, mm."""
+WAY = 9.0  # mm by which the upper plane comes down
+WIDTH, THICK = 20.0, 1.0  # of the planes, mm
 ABOUT = """\
 Two concentric spherical shells (radii 10, 12 and 14 mm) are pressed together between rigid planes by 9 mm on each side:
 an octant of example 3.7 of Zimmerman and Ateshian (2018), J Biomech Eng 140(8):081013, after Puso and Laursen (2004),
@@ -28,12 +26,10 @@ of symmetry."""
 
 @dataclass(frozen=True)
 class ConcentricSpheres:
-    friction: float = 0.5
-    """Coefficient between the shells."""
+    friction: float = 0.5  # coefficient between the shells
     elements: int = 8
     """Of the outer shell along each edge of a patch, of which the octant has three; the inner shell has one less."""
-    through: int = 3
-    """Elements through each shell."""
+    through: int = 3  # elements through each shell
     steps: int = 90
     name: str = "concentric-spheres"
 

@@ -2,57 +2,42 @@
 
 from dataclasses import dataclass
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Control,
-    Curve,
-    Mixture,
-    Param,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    initial_pressure,
-    pressure,
-)
 from studies.models.assembly import assembled, box, everywhere, plane
 from studies.models.pieces import UNCLAMPED, ambient
 
-LENGTH, HEIGHT = 8.0, 1.0
-"""Of the layer and of the bone below it, mm."""
-SHEAR, LIFT = 0.35, 0.1
-"""mm by which the left end of the layer is drawn along the bone and off it."""
-DURATION = 60.0
-"""s."""
-BATH = 1.0
-"""Concentration of the fluid around both bodies, mM."""
-CARTILAGE = Mixture(Solid(5.0, 0.2), permeability=1e-3, solutes=(Solute(1, 1e-2, free_diffusivity=1e-2),))
-BONE = Mixture(Solid(100.0, 0.2), permeability=1e-4, porosity=0.3, solutes=(Solute(1, 2e-3, free_diffusivity=1e-2),))
-AMBIENT_PRESSURE = effective_pressure(BATH)
+LENGTH, HEIGHT = 8.0, 1.0  # of the layer and of the bone below it, mm
+SHEAR, LIFT = 0.35, 0.1  # mm by which the left end of the layer is drawn along the bone and off it
+DURATION = 60.0  # s
+BATH = 1.0  # concentration of the fluid around both bodies, mM
+CARTILAGE = parts.Mixture(
+    parts.Solid(5.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, 1e-2, free_diffusivity=1e-2),)
+)
+BONE = parts.Mixture(
+    parts.Solid(100.0, 0.2), permeability=1e-4, porosity=0.3, solutes=(parts.Solute(1, 2e-3, free_diffusivity=1e-2),)
+)
+AMBIENT_PRESSURE = parts.effective_pressure(BATH)
 """Effective pressure at this concentration without fluid pressure, MPa."""
-START = 0.2
-"""Concentration in both bodies at first, mM."""
+START = 0.2  # concentration in both bodies at first, mM
 TIE = ContactSettings(
     auto_penalty=True,
     penalty=10.0,
     extra=(
-        Param("max_traction", 0.2),
-        Param("fracture_energy", 0.01),
-        Param("fric_coeff", 0.02),
+        parts.Param("max_traction", 0.2),
+        parts.Param("fracture_energy", 0.01),
+        parts.Param("fric_coeff", 0.02),
         *ambient(AMBIENT_PRESSURE, BATH),
     ),
 )
-CONTROL = Control(
+CONTROL = parts.Control(
     60,
     DURATION / 60,
     displacement_tolerance=1e-6,
     reformations=150,
-    solver=(*UNCLAMPED, Param("lstol", 0.0)),
+    solver=(*UNCLAMPED, parts.Param("lstol", 0.0)),
 )
 
 ABOUT = """\
@@ -71,10 +56,10 @@ impermeable."""
 class Delamination:
     interface: InterfaceType = InterfaceType.TIED
     settings: ContactSettings = TIE
+    # Elements of the layer and of the bone along their length and over their height.
     along: tuple[int, int] = (48, 24)
     up: tuple[int, int] = (4, 2)
-    """Elements of the layer and of the bone along their length and over their height."""
-    control: Control = CONTROL
+    control: parts.Control = CONTROL
     name: str = "delamination"
     plot: bool = False
 
@@ -82,14 +67,14 @@ class Delamination:
         mesh = self._mesh()
         baths = ("layer-top", "layer-left")
         conditions = (
-            fix("all", "y"),
-            fix("bone-bottom", "xz"),
-            displace("layer-left", "x", -SHEAR, 1),
-            displace("layer-left", "z", LIFT, 1),
-            *(pressure(where, AMBIENT_PRESSURE) for where in baths),
-            *(concentration(where, BATH) for where in baths),
-            initial_concentration("all", START),
-            initial_pressure("all", AMBIENT_PRESSURE * START / BATH),
+            parts.fix("all", "y"),
+            parts.fix("bone-bottom", "xz"),
+            parts.displace("layer-left", "x", -SHEAR, 1),
+            parts.displace("layer-left", "z", LIFT, 1),
+            *(parts.pressure(where, AMBIENT_PRESSURE) for where in baths),
+            *(parts.concentration(where, BATH) for where in baths),
+            parts.initial_concentration("all", START),
+            parts.initial_pressure("all", AMBIENT_PRESSURE * START / BATH),
         )
         return Model(
             self.name,
@@ -100,7 +85,7 @@ class Delamination:
             conditions,
             self.control,
             contacts(self.interface, mesh, self.settings),
-            (Curve(((0.0, 0.0), (DURATION, 1.0))),),
+            (parts.Curve(((0.0, 0.0), (DURATION, 1.0))),),
             plot=self.plot,
             further_columns=("Rx",),
         )

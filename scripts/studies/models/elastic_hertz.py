@@ -13,21 +13,15 @@ from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, assembled, plane, raised, refined, tensor
 from studies.models.pieces import hold
 
-RADIUS = 10.0
-"""mm."""
+RADIUS = 10.0  # mm
 CONTACT_RADIUS = 0.02
 """a for which the approach is chosen, mm: small beside the radius, since the closed form is linear."""
-SIZE = 10.0 * CONTACT_RADIUS
-"""Width and height of the modelled quarter of each body, mm."""
+SIZE = 10.0 * CONTACT_RADIUS  # width and height of the modelled quarter of each body, mm
 SOLID = Solid(1000.0, 0.3)
-COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))
-"""E*, MPa."""
-APPROACH = CONTACT_RADIUS**2 / RADIUS
-"""mm, of points far from the contact."""
-GROWTH = 1.4
-"""Of the elements outside of the contact."""
-FINE = 1.25
-"""Width of the finest part of the mesh, relative to a."""
+COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))  # E*, MPa
+APPROACH = CONTACT_RADIUS**2 / RADIUS  # mm, of points far from the contact
+GROWTH = 1.4  # of the elements outside of the contact
+FINE = 1.25  # width of the finest part of the mesh, relative to a
 STEPS = 4
 ABOUT = """\
 A sphere of radius 10 mm on a block, the same material, pressed together without friction (Hertz, over a circle).
@@ -36,8 +30,7 @@ By symmetry a quarter is modelled, within ten radii of the contact."""
 
 @dataclass(frozen=True)
 class ElasticHertz:
-    elements: int = 5
-    """Over the radius of the contact."""
+    elements: int = 5  # over the radius of the contact
     name: str = "elastic-hertz"
 
     def model(self) -> Model:
@@ -97,5 +90,4 @@ def _outside(x: Points) -> NDArray[np.bool_]:
 
 
 def _near(x: Points) -> NDArray[np.bool_]:
-    """Positions within two radii of the contact."""
     return np.asarray(np.maximum(x[..., 0], x[..., 1]) < 2.0 * CONTACT_RADIUS)

@@ -4,45 +4,32 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from harness.models import blocks
+from harness.models import blocks, parts
 from harness.models.blocks import Body
 from harness.models.document import Model
 from harness.models.indentation_mesh import disk
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Control,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    initial_pressure,
-    pressure,
-)
 from studies.models.assembly import assembled, cylinder, everywhere, graded, plane
 from studies.models.pieces import UNCLAMPED, ambient
 
-DEFECT = 2.0
-"""Radius of the defect, mm."""
-PRESS_FIT = 0.02
-"""mm by which the graft's radius exceeds that of the defect."""
-OUTER = 5.0
-"""Radius of the modelled part of the host, mm."""
-HEIGHT = 2.0
-"""Thickness of the cartilage and of the graft, mm."""
-CONCENTRATION = 1.0
-"""Of the host at first, and of its surroundings, mM."""
-HOST = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
-GRAFT = Mixture(
-    Solid(0.3, 0.2), permeability=5e-3, porosity=0.9, solutes=(Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),)
+DEFECT = 2.0  # radius of the defect, mm
+PRESS_FIT = 0.02  # mm by which the graft's radius exceeds that of the defect
+OUTER = 5.0  # radius of the modelled part of the host, mm
+HEIGHT = 2.0  # thickness of the cartilage and of the graft, mm
+CONCENTRATION = 1.0  # of the host at first, and of its surroundings, mM
+HOST = parts.Mixture(
+    parts.Solid(1.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),)
 )
-AMBIENT_PRESSURE = effective_pressure(CONCENTRATION)
+GRAFT = parts.Mixture(
+    parts.Solid(0.3, 0.2),
+    permeability=5e-3,
+    porosity=0.9,
+    solutes=(parts.Solute(1, 8e-4, free_diffusivity=1e-3, solubility=0.9),),
+)
+AMBIENT_PRESSURE = parts.effective_pressure(CONCENTRATION)
 """Effective pressure at this concentration without fluid pressure, MPa."""
-GROWTH = 1.3
-"""Of the elements of the host, from the wall of the defect outwards."""
+GROWTH = 1.3  # of the elements of the host, from the wall of the defect outwards
 
 ABOUT = """\
 A graft in a defect of cartilage, to which the host supplies a nutrient across the contact.
@@ -60,24 +47,24 @@ bone below is impermeable, and no load acts on the top. By symmetry, the model c
 class Graft:
     around: int = 4
     """Elements of each block of the graft's O-grid along each edge; the wall's quarter circle has twice as many."""
+    # Elements of the host from the wall outwards, and of both bodies over the height.
     outward: int = 7
     up: int = 5
-    """Elements of the host from the wall outwards, and of both bodies over the height."""
-    control: Control = Control(60, 50.0)
+    control: parts.Control = parts.Control(60, 50.0)
     plot: bool = False
 
     def model(self) -> Model:
         mesh = self._mesh()
         settings = ContactSettings(extra=ambient(AMBIENT_PRESSURE, CONCENTRATION))
         conditions = (
-            fix("symmetry-x", "x"),
-            fix("symmetry-y", "y"),
-            fix("bone", "z"),
-            fix("host-side", "xy"),
-            *(pressure(where, AMBIENT_PRESSURE) for where in ("host-side", "host-top")),
-            *(concentration(where, CONCENTRATION) for where in ("host-side", "host-top")),
-            initial_concentration("host", CONCENTRATION),
-            initial_pressure("host", AMBIENT_PRESSURE),
+            parts.fix("symmetry-x", "x"),
+            parts.fix("symmetry-y", "y"),
+            parts.fix("bone", "z"),
+            parts.fix("host-side", "xy"),
+            *(parts.pressure(where, AMBIENT_PRESSURE) for where in ("host-side", "host-top")),
+            *(parts.concentration(where, CONCENTRATION) for where in ("host-side", "host-top")),
+            parts.initial_concentration("host", CONCENTRATION),
+            parts.initial_pressure("host", AMBIENT_PRESSURE),
         )
         return Model(
             "graft",
@@ -92,7 +79,6 @@ class Graft:
         )
 
     def _mesh(self) -> Mesh:
-        """Both bodies before the press fit: the graft's side overlaps the wall."""
         node_sets = {
             "host": everywhere("host"),
             "symmetry-x": plane("x", 0.0),
@@ -101,10 +87,7 @@ class Graft:
             "host-side": cylinder(OUTER, "host"),
             "host-top": plane("z", HEIGHT, "host"),
         }
-        surfaces = {
-            "wall": cylinder(DEFECT, "host"),
-            "graft-side": cylinder(DEFECT + PRESS_FIT, "graft"),
-        }
+        surfaces = {"wall": cylinder(DEFECT, "host"), "graft-side": cylinder(DEFECT + PRESS_FIT, "graft")}
         heights = [HEIGHT * level / self.up for level in range(self.up + 1)]
         bodies = {"host": self._host(heights), "graft": disk(DEFECT + PRESS_FIT, self.around, heights)}
         return assembled(bodies, node_sets, surfaces, {"wall": ("graft-side", "wall")})

@@ -7,46 +7,28 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from harness.models import parts
 from harness.models.blocks import Points
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Control,
-    Curve,
-    Mixture,
-    Solid,
-    Solute,
-    displace,
-    effective_pressure,
-    fix,
-    initial_concentration,
-    initial_pressure,
-)
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, graded, plane, raised, tensor
 from studies.models.pieces import UNCLAMPED, ambient
 
-RADIUS = 15.0
-"""Radius of curvature of the upper cartilage, mm."""
-THICKNESS = 1.0
-"""Of each layer, mm."""
-HALF_WIDTHS = {"upper": 4.0, "lower": 4.5}
-"""mm; by symmetry half of the section is modelled."""
-DEPTH = 0.25
-"""mm, thickness of the plane problem."""
-LEAST, MOST = 0.05, 0.15
-"""mm by which the upper bone approaches over a cycle."""
-GROWTH = 1.25
-"""Of the elements of a layer, from the surface of the joint to the bone."""
-PERIOD, STEPS = 20.0, 20
-"""Of a cycle: s, and number of time steps."""
-AMBIENT = 1.0
-"""Concentration of the synovial fluid, mM, reached at the end of the first cycle."""
-CARTILAGE = Mixture(Solid(1.0, 0.1), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),))
-LOADING, FILLING = 1, 2
-"""Numbers of the load curves."""
+RADIUS = 15.0  # radius of curvature of the upper cartilage, mm
+THICKNESS = 1.0  # of each layer, mm
+HALF_WIDTHS = {"upper": 4.0, "lower": 4.5}  # mm; by symmetry half of the section is modelled
+DEPTH = 0.25  # mm, thickness of the plane problem
+LEAST, MOST = 0.05, 0.15  # mm by which the upper bone approaches over a cycle
+GROWTH = 1.25  # of the elements of a layer, from the surface of the joint to the bone
+PERIOD, STEPS = 20.0, 20  # of a cycle: s, and number of time steps
+AMBIENT = 1.0  # concentration of the synovial fluid, mM, reached at the end of the first cycle
+CARTILAGE = parts.Mixture(
+    parts.Solid(1.0, 0.1), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=8e-4),)
+)
+LOADING, FILLING = 1, 2  # numbers of the load curves
 
-EFFECTIVE_PRESSURE = effective_pressure(AMBIENT)
+EFFECTIVE_PRESSURE = parts.effective_pressure(AMBIENT)
 """MPa, where the concentration is `AMBIENT` and the fluid pressure 0."""
 
 SECTION = """\
@@ -82,22 +64,22 @@ class Source(Enum):
 @dataclass(frozen=True)
 class Joint:
     cycles: int = 10
+    # Elements along the half-width and through the thickness of each layer.
     across: int = 24
     through: int = 8
-    """Elements along the half-width and through the thickness of each layer."""
     source: Source = Source.FLUID
     name: str = "joint"
     plot: bool = False
 
     def model(self) -> Model:
         mesh, wet = self._mesh(), self.source is Source.FLUID
-        filled = (initial_pressure("upper", EFFECTIVE_PRESSURE), initial_concentration("upper", AMBIENT))
+        filled = (parts.initial_pressure("upper", EFFECTIVE_PRESSURE), parts.initial_concentration("upper", AMBIENT))
         conditions = (
-            fix("all", "z"),
-            fix("lower-bone", "xy"),
-            fix("upper-bone", "x"),
-            fix("symmetry", "x"),
-            displace("upper-bone", "y", -MOST, LOADING),
+            parts.fix("all", "z"),
+            parts.fix("lower-bone", "xy"),
+            parts.fix("upper-bone", "x"),
+            parts.fix("symmetry", "x"),
+            parts.displace("upper-bone", "y", -MOST, LOADING),
             *(() if wet else filled),
         )
         outside = ambient(EFFECTIVE_PRESSURE, AMBIENT, FILLING) if wet else ambient(0.0, 0.0)
@@ -108,9 +90,9 @@ class Joint:
             mesh,
             {"lower": CARTILAGE, "upper": CARTILAGE},
             conditions,
-            Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED),
+            parts.Control(self.cycles * STEPS, PERIOD / STEPS, reformations=25, solver=UNCLAMPED),
             contacts(InterfaceType.MIXTURE, mesh, ContactSettings(extra=outside)),
-            (self._loading(), *([Curve(((0.0, 0.0), (PERIOD, 1.0)))] if wet else [])),
+            (self._loading(), *([parts.Curve(((0.0, 0.0), (PERIOD, 1.0)))] if wet else [])),
             plot=self.plot,
             further_columns=("Rx", "Ry", "Rz"),
         )
@@ -121,11 +103,11 @@ class Joint:
         upper = {} if self.source is Source.FLUID else {"upper": everywhere("upper")}
         return touching(x, self.through, GROWTH, {"all": everywhere(), **symmetry, **BONES, **upper})
 
-    def _loading(self) -> Curve:
+    def _loading(self) -> parts.Curve:
         """Approach of the bone, relative to `MOST`: from 0 to the least in half a cycle, then up and down."""
         time = PERIOD / STEPS * np.arange(STEPS // 2, self.cycles * STEPS + 1)
         approach = LEAST + (MOST - LEAST) * 0.5 * (1.0 + np.cos(2.0 * np.pi * time / PERIOD))
-        return Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
+        return parts.Curve(((0.0, 0.0), *zip(time.tolist(), (approach / MOST).tolist(), strict=True)))
 
 
 def rise(points: Points) -> NDArray[np.float64]:

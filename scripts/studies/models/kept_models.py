@@ -28,8 +28,7 @@ JOINT_RELEASE = Joint(source=Source.UPPER, name="joint-release", plot=True)
 GRAFT = Graft(plot=True)
 PLATENS = Platens(plot=True)
 PLUG = Plug(plot=True)
-DELAMINATION = Delamination(plot=True)
-"""Models from practice."""
+DELAMINATION = Delamination(plot=True)  # models from practice
 
 
 def before_migration() -> Model:

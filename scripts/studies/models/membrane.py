@@ -20,13 +20,10 @@ from harness.models.parts import (
 )
 from studies.closed_forms.film import Faces, Film, Steady, layer, steady
 
-THICKNESSES = (1.0, 0.5)
-"""mm."""
-DIFFUSIVITIES = (5e-4, 8e-4)
-"""mm^2/s, in the mixture and in free solution."""
+THICKNESSES = (1.0, 0.5)  # mm
+DIFFUSIVITIES = (5e-4, 8e-4)  # mm^2/s, in the mixture and in free solution
 POROSITIES = (0.8, 0.7)
-PERMEABILITIES = (1e-3, 5e-4)
-"""mm^4/(N s)."""
+PERMEABILITIES = (1e-3, 5e-4)  # mm^4/(N s)
 FILM = Film(conductance=2e-3, permeance=2e-5, reflection=0.6)
 FACES = Faces((0.06, 0.0), (1.0, 0.2), GAS_CONSTANT * TEMPERATURE)
 
@@ -56,8 +53,7 @@ class Membrane(Layered):
     name: str = "membrane"
     film: Film = FILM
     faces: Faces = FACES
-    enforcement: tuple[Param, ...] = ()
-    """Further parameters of the contact."""
+    enforcement: tuple[Param, ...] = ()  # further parameters of the contact
 
     ABOUT = ABOUT
     MATERIALS: ClassVar = {

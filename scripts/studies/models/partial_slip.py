@@ -15,32 +15,21 @@ from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies.models.assembly import NEAR, Chosen, Inside, assembled, everywhere, raised, refined, tensor
 from studies.models.pieces import hold, with_friction
 
-Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]
-"""Height of a surface (mm) at positions along x (mm)."""
-RADIUS = 10.0
-"""mm."""
-HALF_WIDTH = 0.02
-"""a of the contact, mm, for which the approach is chosen."""
-SIZE = 20.0 * HALF_WIDTH
-"""Half-width and height of each body, mm: a half space but for parts of (a/SIZE)^2."""
+Height = Callable[[NDArray[np.float64]], NDArray[np.float64]]  # height of a surface (mm) at positions along x (mm)
+RADIUS = 10.0  # mm
+HALF_WIDTH = 0.02  # a of the contact, mm, for which the approach is chosen
+SIZE = 20.0 * HALF_WIDTH  # half-width and height of each body, mm: a half space but for parts of (a/SIZE)^2
 FRICTION = 0.3
-FRICTION_COLUMNS = ("contact friction.x",)
-"""Means over facets, which FEBio's types do not have."""
+FRICTION_COLUMNS = ("contact friction.x",)  # means over facets, which FEBio's types do not have
 SOLID = Solid(1000.0, 0.3)
-COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))
-"""E*, MPa."""
-THICKNESS = 0.01
-"""Of the plane problem, mm."""
-GROWTH = 1.3
-"""Of the elements outside of the contact."""
-FINE = 1.25
-"""Half-width of the finest part of the mesh, relative to a."""
-PRESSING, SHEARING = 5, 10
-"""Steps."""
+COMBINED = SOLID.modulus / (2.0 * (1.0 - SOLID.poisson**2))  # E*, MPa
+THICKNESS = 0.01  # of the plane problem, mm
+GROWTH = 1.3  # of the elements outside of the contact
+FINE = 1.25  # half-width of the finest part of the mesh, relative to a
+PRESSING, SHEARING = 5, 10  # steps
 APPROACH = HALF_WIDTH**2 / (2.0 * RADIUS) * (log(2.0 * SIZE / HALF_WIDTH) - 0.5 * SOLID.poisson / (1.0 - SOLID.poisson))
 """mm, of a cylinder of that contact on a layer of height SIZE, twice: Johnson (1985), equation 5.59."""
-SHIFT = 0.64 * FRICTION * APPROACH
-"""mm along x; about that of Q/(mu P) = 0.64, a stick zone of 0.6 a."""
+SHIFT = 0.64 * FRICTION * APPROACH  # mm along x; about that of Q/(mu P) = 0.64, a stick zone of 0.6 a
 ABOUT = """\
 A cylinder of radius 10 mm on a block, the same material, pressed and then pushed sideways by less than slides it
 (Cattaneo, Mindlin): the middle of the contact sticks, its edges slip."""
@@ -48,10 +37,8 @@ A cylinder of radius 10 mm on a block, the same material, pressed and then pushe
 
 @dataclass(frozen=True)
 class PartialSlip:
-    elements: int = 10
-    """Over half the width of the contact."""
-    settings: ContactSettings | None = None
-    """Default settings with friction without it."""
+    elements: int = 10  # over half the width of the contact
+    settings: ContactSettings | None = None  # default settings with friction without it
     name: str = "partial-slip"
 
     def model(self) -> Model:

@@ -13,8 +13,7 @@ from harness.models.parts import Condition, Control, Curve, Param, TimeStepper, 
 
 Motion = Callable[[Array, float], Array]
 """Displacements (n, 3) of nodes at reference positions (n, 3) at a time (s), mm."""
-PREDICTOR = Param("predictor", True)
-"""Turns the plugin's predictor on."""
+PREDICTOR = Param("predictor", True)  # turns the plugin's predictor on
 
 
 UNCLAMPED = (Param("force_positive_concentrations", False),)

@@ -4,39 +4,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Curve,
-    Mixture,
-    Rigid,
-    Solid,
-    fix,
-    hold_rigid,
-    pressure,
-    push_rigid,
-)
 from studies.models.assembly import NEAR, Chosen, assembled, box, everywhere, plane, tensor
 from studies.models.pieces import hold, move_rigid, timed, with_friction
 
-HEIGHT = 1.0
-"""mm."""
-MODULUS = 1.0
-"""Aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0."""
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
-LOAD = 1e-4
-"""P0, MPa; small, so that strains are. The area is 1 mm^2."""
+HEIGHT = 1.0  # mm
+MODULUS = 1.0  # aggregate modulus H (MPa): Young's modulus, since Poisson's ratio is 0
+PERMEABILITY = 1e-3  # mm^4/(N s)
+LOAD = 1e-4  # P0, MPa; small, so that strains are. The area is 1 mm^2
 FRICTION = 0.2
-ELEMENTS = 20
-"""Through the thickness of the layer."""
-OVERLAP = 1e-9
-"""mm by which the plate overlaps the layer at first, so that the load finds it in contact."""
-WAY = 2.0
-"""mm by which the plate slides."""
-DIFFUSION_TIME = HEIGHT**2 / (MODULUS * PERMEABILITY)
-"""h^2/(H k), s."""
+ELEMENTS = 20  # through the thickness of the layer
+OVERLAP = 1e-9  # mm by which the plate overlaps the layer at first, so that the load finds it in contact
+WAY = 2.0  # mm by which the plate slides
+DIFFUSION_TIME = HEIGHT**2 / (MODULUS * PERMEABILITY)  # h^2/(H k), s
 EVEN_STEPS, FIRST_STEP, GROWTH, STEPS = 10, 1e-3, 1.03, 220
 """The first steps are of one size, tau = 0.001; then each is longer by 3 % of the time, up to tau = 5."""
 TIMES = tuple(
@@ -54,8 +37,7 @@ The effective friction coefficient grows from phi mu_eq to mu_eq within about h^
 
 @dataclass(frozen=True)
 class PlateOnLayer:
-    solid_fraction: float = 0.1
-    """phi, the fraction of the contact that is solid on solid."""
+    solid_fraction: float = 0.1  # phi, the fraction of the contact that is solid on solid
     layer_is_primary: bool = True
     name: str = "plate-on-layer"
     plot: bool = False
@@ -63,26 +45,26 @@ class PlateOnLayer:
     def model(self) -> Model:
         mesh = self._mesh()
         settings = with_friction(InterfaceType.MIXTURE, FRICTION, solid_fraction=self.solid_fraction)
-        load = Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
+        load = parts.Curve(((0.0, 1.0), (TIMES[-1], 1.0)))
         # Tolerances are far below the first friction force, a small part of the load.
         control, steps = timed(
             TIMES, 3, displacement_tolerance=1e-5, energy_tolerance=1e-8, pressure_tolerance=1e-5, reformations=25
         )
-        slide = Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
+        slide = parts.Curve(((0.0, 0.0), *((time, (k + 1) / STEPS) for k, time in enumerate(TIMES))))
         return Model(
             self.name,
             header(self.name, ABOUT, InterfaceType.MIXTURE),
             "biphasic",
             mesh,
-            {"layer": Mixture(Solid(MODULUS), PERMEABILITY), "plate": Rigid()},
+            {"layer": parts.Mixture(parts.Solid(MODULUS), PERMEABILITY), "plate": parts.Rigid()},
             (
                 *hold("layer", "x"),
-                fix("layer", "y"),
-                fix("base", "z"),
-                pressure("base", 0.0),
-                hold_rigid("plate", "yuvw"),
+                parts.fix("layer", "y"),
+                parts.fix("base", "z"),
+                parts.pressure("base", 0.0),
+                parts.hold_rigid("plate", "yuvw"),
                 move_rigid("plate", "x", WAY, 2),
-                push_rigid("plate", "z", -LOAD, 1),
+                parts.push_rigid("plate", "z", -LOAD, 1),
             ),
             control,
             contacts(InterfaceType.MIXTURE, mesh, settings),

@@ -2,36 +2,24 @@
 
 from dataclasses import dataclass
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import InterfaceType, contacts, header
 from harness.models.mesh import Layer, split_column
-from harness.models.parts import (
-    Control,
-    Curve,
-    Elastic,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    effective_pressure,
-    fix,
-    pressure,
-)
 
-SAMPLE, PLATEN = 1.0, 0.5
-"""Heights of the sample and of each platen, mm."""
-COMPRESSION = 0.1
-"""mm by which the upper platen is driven down."""
-RAMP = 100.0
-"""s in which it is driven, and in which the ambient concentration rises."""
-AMBIENT = 1.0
-"""mM."""
+SAMPLE, PLATEN = 1.0, 0.5  # heights of the sample and of each platen, mm
+COMPRESSION = 0.1  # mm by which the upper platen is driven down
+RAMP = 100.0  # s in which it is driven, and in which the ambient concentration rises
+AMBIENT = 1.0  # mM
 OVERLAP = 1e-10
 """mm by which neighbours overlap at first: the sample is held by its contacts alone, so they must be closed."""
-TISSUE = Mixture(Solid(1.0), permeability=1e-3, solutes=(Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),))
-POROUS = Mixture(Solid(1000.0), permeability=1.0, porosity=0.4, solutes=(Solute(1, 1e-3, free_diffusivity=1e-3),))
-STEEL = Elastic(Solid(1e5, 0.3))
+TISSUE = parts.Mixture(
+    parts.Solid(1.0), permeability=1e-3, solutes=(parts.Solute(1, diffusivity=5e-4, free_diffusivity=1e-3),)
+)
+POROUS = parts.Mixture(
+    parts.Solid(1000.0), permeability=1.0, porosity=0.4, solutes=(parts.Solute(1, 1e-3, free_diffusivity=1e-3),)
+)
+STEEL = parts.Elastic(parts.Solid(1e5, 0.3))
 
 ABOUT = """\
 Confined compression of cartilage between a permeable and an impermeable platen.
@@ -46,9 +34,8 @@ the lower contact transmits traction alone."""
 
 @dataclass(frozen=True)
 class Platens:
-    elements: int = 20
-    """Through the sample; a platen has a fifth of it."""
-    control: Control = Control(120, 25.0)
+    elements: int = 20  # through the sample; a platen has a fifth of it
+    control: parts.Control = parts.Control(120, 25.0)
     plot: bool = False
 
     def model(self) -> Model:
@@ -60,11 +47,11 @@ class Platens:
         ]
         mesh = split_column(layers, bottom=-PLATEN, gap=-OVERLAP)
         conditions = (
-            fix("all", "xy"),
-            fix("bottom", "z"),
-            displace("top", "z", -COMPRESSION, 1),
-            pressure("top", effective_pressure(AMBIENT), 1),
-            concentration("top", AMBIENT, 1),
+            parts.fix("all", "xy"),
+            parts.fix("bottom", "z"),
+            parts.displace("top", "z", -COMPRESSION, 1),
+            parts.pressure("top", parts.effective_pressure(AMBIENT), 1),
+            parts.concentration("top", AMBIENT, 1),
         )
         return Model(
             "platens",
@@ -75,7 +62,7 @@ class Platens:
             conditions,
             self.control,
             contacts(InterfaceType.MIXTURE, mesh, None),
-            (Curve(((0.0, 0.0), (RAMP, 1.0))),),
+            (parts.Curve(((0.0, 0.0), (RAMP, 1.0))),),
             plot=self.plot,
             further_columns=("Rz",),
         )

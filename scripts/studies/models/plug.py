@@ -4,41 +4,27 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.indentation_mesh import disk
 from harness.models.interface import ContactSettings, InterfaceType, contacts, header
 from harness.models.mesh import Mesh
-from harness.models.parts import (
-    Control,
-    Curve,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    effective_pressure,
-    fix,
-    initial_pressure,
-    pressure,
-)
 from studies.models.assembly import assembled, everywhere, plane
 from studies.models.pieces import UNCLAMPED
 
-RADIUS = 2.0
-"""Of the cartilage, mm."""
-WIDER = 3.0
-"""Radius of the bone, mm."""
-CARTILAGE_HEIGHT, BONE_HEIGHT = 2.0, 3.0
-"""mm."""
-COMPRESSION = 0.1
-"""mm by which the top of the cartilage moves down."""
-RAMP = 500.0
-"""Time of the compression, s."""
-CONCENTRATION = 1.0
-"""Of the solution above the cartilage, mM."""
-CARTILAGE = Mixture(Solid(1.0, 0.2), permeability=1e-3, solutes=(Solute(1, 5e-4, free_diffusivity=1e-3),))
-BONE = Mixture(Solid(100.0, 0.2), permeability=1e-4, porosity=0.3, solutes=(Solute(1, 2e-4, free_diffusivity=1e-3),))
-AMBIENT_PRESSURE = effective_pressure(CONCENTRATION)
+RADIUS = 2.0  # of the cartilage, mm
+WIDER = 3.0  # radius of the bone, mm
+CARTILAGE_HEIGHT, BONE_HEIGHT = 2.0, 3.0  # mm
+COMPRESSION = 0.1  # mm by which the top of the cartilage moves down
+RAMP = 500.0  # time of the compression, s
+CONCENTRATION = 1.0  # of the solution above the cartilage, mM
+CARTILAGE = parts.Mixture(
+    parts.Solid(1.0, 0.2), permeability=1e-3, solutes=(parts.Solute(1, 5e-4, free_diffusivity=1e-3),)
+)
+BONE = parts.Mixture(
+    parts.Solid(100.0, 0.2), permeability=1e-4, porosity=0.3, solutes=(parts.Solute(1, 2e-4, free_diffusivity=1e-3),)
+)
+AMBIENT_PRESSURE = parts.effective_pressure(CONCENTRATION)
 """Effective pressure at this concentration without fluid pressure, MPa."""
 
 ABOUT = """\
@@ -58,20 +44,20 @@ class Plug:
     around: tuple[int, int] = (4, 3)
     up: tuple[int, int] = (8, 4)
     """Elements of the cartilage and of the bone: of each block of the O-grid along each edge, and over the height."""
-    control: Control = Control(60, 100.0)
+    control: parts.Control = parts.Control(60, 100.0)
     name: str = "plug"
     plot: bool = False
 
     def model(self) -> Model:
         mesh = self._mesh()
         conditions = (
-            fix("symmetry-x", "x"),
-            fix("symmetry-y", "y"),
-            fix("bone-bottom", "z"),
-            displace("top", "z", -COMPRESSION, 1),
-            pressure("top", AMBIENT_PRESSURE, 1),
-            concentration("top", CONCENTRATION, 1),
-            initial_pressure("all", 0.0),
+            parts.fix("symmetry-x", "x"),
+            parts.fix("symmetry-y", "y"),
+            parts.fix("bone-bottom", "z"),
+            parts.displace("top", "z", -COMPRESSION, 1),
+            parts.pressure("top", AMBIENT_PRESSURE, 1),
+            parts.concentration("top", CONCENTRATION, 1),
+            parts.initial_pressure("all", 0.0),
         )
         return Model(
             self.name,
@@ -82,7 +68,7 @@ class Plug:
             conditions,
             replace(self.control, solver=UNCLAMPED),
             contacts(self.interface, mesh, self.settings),
-            (Curve(((0.0, 0.0), (RAMP, 1.0))),),
+            (parts.Curve(((0.0, 0.0), (RAMP, 1.0))),),
             plot=self.plot,
             further_columns=("Rz",),
         )

@@ -8,11 +8,9 @@ from harness.models.interface import InterfaceType, header
 from harness.models.mesh import Box, Mesh, assemble
 from harness.models.parts import Contact, Control, Curve, Elastic, Param, Solid, TimeStepper, displace, fix
 
-SIZE = 1.0
-"""Of each block along each axis, mm."""
+SIZE = 1.0  # of each block along each axis, mm
 SOLID = Solid(1.0, 0.1)
-PRESSED = 0.05
-"""mm by which the top comes down over the run."""
+PRESSED = 0.05  # mm by which the top comes down over the run
 PRIMARY, SECONDARY = "lower-top", "upper-bottom"
 ABOUT = """\
 Two elastic blocks of 1 mm x 1 mm x 1 mm, whose facets do not match. The top of the upper one comes down by
@@ -21,17 +19,13 @@ Two elastic blocks of 1 mm x 1 mm x 1 mm, whose facets do not match. The top of 
 
 @dataclass(frozen=True)
 class PressedBlocks:
+    # Elements of the two blocks along x and y.
     lower: int = 50
     upper: int = 46
-    """Elements of the two blocks along x and y."""
-    through: int = 6
-    """Elements through each block."""
-    contact: str = InterfaceType.MIXTURE.value
-    """Type of the contact."""
-    params: tuple[Param, ...] = ()
-    """Of the contact."""
-    steps: int = 2
-    """Time steps."""
+    through: int = 6  # elements through each block
+    contact: str = InterfaceType.MIXTURE.value  # type of the contact
+    params: tuple[Param, ...] = ()  # of the contact
+    steps: int = 2  # time steps
     name: str = "pressed-blocks"
     primary: ClassVar[str] = PRIMARY
     porous: ClassVar[bool] = False

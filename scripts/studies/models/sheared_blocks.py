@@ -21,23 +21,16 @@ class Kind(str, Enum):
     MULTIPHASIC = "multiphasic"
 
 
-FRICTION = 2.0
-"""So high that all of the contact sticks."""
-PRESS, SHEAR = 0.1, 0.05
-"""mm by which the upper face moves down, and then along x."""
-PRESSING, SHEARING = 4, 8
-"""Steps."""
-STEP = 10.0
-"""s."""
-THICKNESS = (0.75, 1.25)
-"""Of the two parts, mm: they meet off half height, so that shear bends it."""
+FRICTION = 2.0  # so high that all of the contact sticks
+PRESS, SHEAR = 0.1, 0.05  # mm by which the upper face moves down, and then along x
+PRESSING, SHEARING = 4, 8  # steps
+STEP = 10.0  # s
+THICKNESS = (0.75, 1.25)  # of the two parts, mm: they meet off half height, so that shear bends it
 SECTION = Section((2.0, 1.0), (4, 2))
 SOLID = parts.Solid(1.0, 0.3)
 SOLUTE = parts.Solute(1, diffusivity=5e-4, free_diffusivity=8e-4)
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
-BELOW, ABOVE = 1.0, 0.0
-"""Effective concentrations at the two ends, mM."""
+PERMEABILITY = 1e-3  # mm^4/(N s)
+BELOW, ABOVE = 1.0, 0.0  # effective concentrations at the two ends, mM
 MODULES = {Kind.ELASTIC: "solid", Kind.BIPHASIC: "biphasic", Kind.SOLUTE: "multiphasic"}
 ABOUT = """\
 A block of 2 mm x 1 mm x 2 mm, split at a height of 0.75 mm, pressed by 0.1 mm and then sheared by 0.05 mm. With
@@ -47,13 +40,10 @@ the same block in one piece. Both ends drain."""
 
 @dataclass(frozen=True)
 class ShearedBlocks:
-    kind: Kind = Kind.ELASTIC
-    """``elastic``, ``biphasic`` or ``biphasic-solute``."""
+    kind: Kind = Kind.ELASTIC  # ``elastic``, ``biphasic`` or ``biphasic-solute``
     interface: InterfaceType = InterfaceType.MIXTURE
-    settings: ContactSettings | None = None
-    """Default settings with friction without it."""
-    newton: float = 1e-9
-    """Newton's relative tolerances."""
+    settings: ContactSettings | None = None  # default settings with friction without it
+    newton: float = 1e-9  # Newton's relative tolerances
     name: str = "sheared-blocks"
 
     def model(self) -> Model:

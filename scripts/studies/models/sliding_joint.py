@@ -11,18 +11,12 @@ from studies.models.assembly import everywhere
 from studies.models.joint import BONES, touching
 from studies.models.pieces import timed, with_friction
 
-HALF_WIDTHS = {"upper": 3.0, "lower": 3.6}
-"""mm."""
-ACROSS, THROUGH = 48, 6
-"""Elements along the width and through the thickness of each layer."""
-GROWTH = 1.3
-"""Of the elements of a layer, from the surface of the joint to the bone."""
-APPROACH, WAY = 0.08, 0.06
-"""mm by which the upper bone approaches, and then slides."""
-PRESSED, DRAINED, END = 2.0, 60.0, 72.0
-"""s, when the bone has approached, begins to slide, and ends."""
-PRESSING, DRAINING, SLIDING = 4, 12, 24
-"""Steps."""
+HALF_WIDTHS = {"upper": 3.0, "lower": 3.6}  # mm
+ACROSS, THROUGH = 48, 6  # elements along the width and through the thickness of each layer
+GROWTH = 1.3  # of the elements of a layer, from the surface of the joint to the bone
+APPROACH, WAY = 0.08, 0.06  # mm by which the upper bone approaches, and then slides
+PRESSED, DRAINED, END = 2.0, 60.0, 72.0  # s, when the bone has approached, begins to slide, and ends
+PRESSING, DRAINING, SLIDING = 4, 12, 24  # steps
 FRICTION, SOLID_FRACTION = 0.2, 0.1
 FACET_COLUMNS = ("contact pressure", "contact friction.x", "contact friction.y", "contact friction coefficient")
 """Means over facets."""

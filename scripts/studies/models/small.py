@@ -64,8 +64,7 @@ class Part:
     material: str
     element: str
     elements: list[tuple[int, ...]]
-    thickness: float = 0.0
-    """Of shells; 0 for solids."""
+    thickness: float = 0.0  # of shells; 0 for solids
 
 
 @dataclass
@@ -204,15 +203,13 @@ def contact(name: str, pair: str, kind: str = "sliding-mixture", params: str = "
 class Scheme:
     """Steps and solver, as users give them."""
 
+    # Number of steps and the size of one, s.
     steps: int = 10
     size: float = 0.1
-    """Number of steps and the size of one, s."""
     analysis: str = ""
-    retries: int = 5
-    """How often a failed step is tried again; 0 for steps of fixed size."""
+    retries: int = 5  # how often a failed step is tried again; 0 for steps of fixed size
     method: str = "BFGS"
-    updates: int = 0
-    """Of quasi-Newton updates between two matrices; FEBio's default is 10 of BFGS."""
+    updates: int = 0  # of quasi-Newton updates between two matrices; FEBio's default is 10 of BFGS
     symmetric: bool | None = False
     """FEBio's default in the module `solid`, which other modules do not have; None keeps it."""
     reformations: int = 25
@@ -268,8 +265,7 @@ class Document:
     surface_data: dict[str, str] = field(default_factory=dict)
     rigid_data: dict[int, str] = field(default_factory=dict)
     globals: str = ""
-    further: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    """Entries of sections that have no name here."""
+    further: Mapping[str, Sequence[str]] = field(default_factory=dict)  # entries of sections that have no name here
 
     def text(self) -> str:
         """The model as FEBio 4 XML; logged data go to the files nodes.txt, surface-NAME.txt, rigid-N.txt."""

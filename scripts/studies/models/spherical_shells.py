@@ -12,12 +12,8 @@ from harness.models.blocks import Body, Points
 def hemisphere(elements: int, radii: Array) -> Body:
     """The lower half around the origin: a lowest patch and four up to the rim.
 
-    Parameters
-    ----------
-    elements : int
-        Along each edge of the lowest patch; even. The others have half as many upwards.
-    radii : ndarray
-        Of the nodes through the thickness, mm.
+    elements: along each edge of the lowest patch; even. The others have half as many upwards.
+    radii: of the nodes through the thickness, mm.
     """
     even, half = _even(-1.0, elements), _even(0.0, elements // 2)
     a, b = np.meshgrid(even, even, indexing="ij")

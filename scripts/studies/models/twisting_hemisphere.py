@@ -13,16 +13,12 @@ from studies.models import spherical_shells
 from studies.models.assembly import assembled, box, plane, sphere
 from studies.models.pieces import driven, hold, timed
 
-OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0
-"""Radii of the hemisphere and edge of the block, mm."""
+OUTER, INNER, SIDE = 1.0, 2.0 / 3.0, 2.0  # radii of the hemisphere and edge of the block, mm
 STIFF, SOFT = Solid(50.0, 0.3), Solid(10.0, 0.3)
 FRICTION = 0.5
-DEPTH = 1.0
-"""mm by which the hemisphere is pressed down."""
-TURN = 180.0
-"""Degrees."""
-PRESSED, END = 10.0, 100.0
-"""s."""
+DEPTH = 1.0  # mm by which the hemisphere is pressed down
+TURN = 180.0  # degrees
+PRESSED, END = 10.0, 100.0  # s
 TURNING_STEPS = 45
 ABOUT = """\
 A hollow hemisphere (radii 1 and 2/3 mm) is pressed by 1 mm into a block of 2 mm without friction, then turned by 180

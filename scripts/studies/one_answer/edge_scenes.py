@@ -1,32 +1,18 @@
 """Porous scenes with an edge of contact: a punch, a load, a slide, and a crack that closes and opens."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from lxml import etree
 
-from harness.arrays import Ids
+from harness.arrays import Ids, Mask
+from harness.models import parts
 from harness.models.document import Model
-from harness.models.mesh import Box, Mesh, Nodes, assemble
-from harness.models.parts import (
-    Condition,
-    Contact,
-    Control,
-    Curve,
-    Mixture,
-    Param,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    fix,
-    initial_concentration,
-    normal_load,
-    pressure,
-)
+from harness.models.mesh import Box, Mesh, assemble
 from studies import feb
-from studies.feb import Feb
-from studies.one_answer.tet15 import with_tet15
+from studies.feb import Feb, only
+from studies.models.quadratic import Middles
 from studies.synthetic_scenes.slab_and_block import (
     BASE,
     BLOCK,
@@ -42,31 +28,28 @@ from studies.synthetic_scenes.slab_and_block import (
 from studies.synthetic_scenes.slab_and_block import mesh as slab_and_block
 
 KIND = "sliding-mixture"
-STEP = 5.0
-"""s. Fluid then crosses a third of an element."""
+STEP = 5.0  # s. Fluid then crosses a third of an element
 GAP, OVERLAP = 0.002, 0.05
 """mm between the bodies at the start: where the block is moved; where it is pushed, and has to rest on something."""
-DEPTH, SLIDE, CREEP, LOAD = 0.15, 0.35, 0.1, 0.04
-"""mm, mm, mm of what is pushed, MPa."""
-AMBIENT = 0.5
-"""mM; the slab begins with twice as much, the block with half."""
+DEPTH, SLIDE, CREEP, LOAD = 0.15, 0.35, 0.1, 0.04  # mm, mm, mm of what is pushed, MPa
+AMBIENT = 0.5  # mM; the slab begins with twice as much, the block with half
 CELLS = {"hex8": Cells(), "hex20": Cells(4, 3, 2), "tet10": Cells(4, 3, 1), "tet15": Cells(3, 2, 1)}
 """So that no scene is large."""
 TIGHT = (
-    Param("min_residual", 1e-26),
-    Param("lstol", 0.9),
-    Param("lsmin", 0.01),
-    Param("lsiter", 5),
-    Param("diverge_reform", True),
-    Param("reform_each_time_step", True),
+    parts.Param("min_residual", 1e-26),
+    parts.Param("lstol", 0.9),
+    parts.Param("lsmin", 0.01),
+    parts.Param("lsiter", 5),
+    parts.Param("diverge_reform", True),
+    parts.Param("reform_each_time_step", True),
 )
 """Of the solver, beside its tolerances."""
-SOLUTE = Solute(1, 1e-3, 2e-3, 1.0)
+SOLUTE = parts.Solute(1, 1e-3, 2e-3, 1.0)
 
 
-def control(steps: int) -> Control:
+def control(steps: int) -> parts.Control:
     """Fixed steps at tolerances that leave next to nothing."""
-    return Control(
+    return parts.Control(
         steps,
         STEP,
         displacement_tolerance=1e-8,
@@ -83,21 +66,14 @@ def control(steps: int) -> Control:
 class Scene:
     """A scene."""
 
-    moves: str
-    """``punch``, ``load``, ``slide`` or ``crack``."""
-    elements: str = "hex8"
-    """As `Elements`, or ``tet15``."""
-    shape: Shape = Shape.FLAT
-    """Of the block's lower face."""
-    primary: str = LOWER
-    """Its surface is the primary one."""
-    solute: bool = False
-    """Whether both bodies hold a solute."""
-    stiffness: float = 1.0
-    """Of the block over that of the slab."""
+    moves: str  # ``punch``, ``load``, ``slide`` or ``crack``
+    elements: str = "hex8"  # as `Elements`, or ``tet15``
+    shape: Shape = Shape.FLAT  # of the block's lower face
+    primary: str = LOWER  # its surface is the primary one
+    solute: bool = False  # whether both bodies hold a solute
+    stiffness: float = 1.0  # of the block over that of the slab
     steps: int = 10
-    cells: Cells | None = None
-    """Those of `CELLS` without it."""
+    cells: Cells | None = None  # those of `CELLS` without it
 
     def feb(self, name: str) -> Feb:
         """The scene as a model file."""
@@ -110,18 +86,20 @@ class Scene:
         """FEBio's."""
         return "multiphasic" if self.solute else "biphasic"
 
-    def _material(self, modulus: float) -> Mixture:
-        return Mixture(Solid(modulus, 0.3), 1e-3, 0.8, (SOLUTE,) if self.solute else ())
+    def _material(self, modulus: float) -> parts.Mixture:
+        return parts.Mixture(parts.Solid(modulus, 0.3), 1e-3, 0.8, (SOLUTE,) if self.solute else ())
 
-    def _model(self, name: str, mesh: Mesh, conditions: tuple[Condition, ...], curves: tuple[Curve, ...]) -> Model:
+    def _model(
+        self, name: str, mesh: Mesh, conditions: tuple[parts.Condition, ...], curves: tuple[parts.Curve, ...]
+    ) -> Model:
         bodies = {SLAB: self._material(1.0), BLOCK: self._material(self.stiffness)}
         if not self.solute:
-            ambient: tuple[Param, ...] = ()
+            ambient: tuple[parts.Param, ...] = ()
         else:
-            ambient = (Param("ambient_concentration", AMBIENT, attributes={"sol": "1"}),)
+            ambient = (parts.Param("ambient_concentration", AMBIENT, attributes={"sol": "1"}),)
             held = ((SLAB, 2 * AMBIENT), (BLOCK, 0.5 * AMBIENT))
-            conditions = (*conditions, *(initial_concentration(body, value) for body, value in held))
-            conditions = (*conditions, *(concentration(f"{body}-outside", value) for body, value in held))
+            conditions = (*conditions, *(parts.initial_concentration(body, value) for body, value in held))
+            conditions = (*conditions, *(parts.concentration(f"{body}-outside", value) for body, value in held))
         return Model(
             name,
             f"{self.moves}, {self.elements}",
@@ -130,7 +108,7 @@ class Scene:
             bodies,
             conditions,
             control(self.steps),
-            (Contact(KIND, PAIR, ambient),),
+            (parts.Contact(KIND, PAIR, ambient),),
             curves,
             plot=True,
         )
@@ -141,15 +119,19 @@ class Scene:
         made = slab_and_block(elements, self.shape, self.primary, gap, self.cells or CELLS[self.elements])
         sets = made.node_sets | {f"{SLAB}-outside": made.node_sets[BASE], f"{BLOCK}-outside": made.node_sets[LOADED]}
         half, end = self.steps * STEP / 2, self.steps * STEP
-        ramp = Curve(((0.0, 0.0), (half, 1.0), (end, 1.0)))
-        then = Curve(((0.0, 0.0), (half, 0.0), (end, 1.0)))
-        held = [fix(BASE, "xyz"), pressure(LOADED, 0.0)]
+        ramp = parts.Curve(((0.0, 0.0), (half, 1.0), (end, 1.0)))
+        then = parts.Curve(((0.0, 0.0), (half, 0.0), (end, 1.0)))
+        held = [parts.fix(BASE, "xyz"), parts.pressure(LOADED, 0.0)]
         if self.moves == "load":
-            held += [fix(LOADED, "y"), displace(LOADED, "x", CREEP, 2), normal_load(LOADED, LOAD, 1)]
+            held += [parts.fix(LOADED, "y"), parts.displace(LOADED, "x", CREEP, 2), parts.normal_load(LOADED, LOAD, 1)]
         elif self.moves == "slide":
-            held += [fix(LOADED, "y"), displace(LOADED, "z", -DEPTH, 1), displace(LOADED, "x", SLIDE, 2)]
+            held += [
+                parts.fix(LOADED, "y"),
+                parts.displace(LOADED, "z", -DEPTH, 1),
+                parts.displace(LOADED, "x", SLIDE, 2),
+            ]
         else:
-            held += [fix(LOADED, "xy"), displace(LOADED, "z", -DEPTH, 1)]
+            held += [parts.fix(LOADED, "xy"), parts.displace(LOADED, "z", -DEPTH, 1)]
         return self._model(name, replace(made, node_sets=sets), tuple(held), (ramp, then))
 
     def _crack(self, name: str) -> Model:
@@ -157,11 +139,9 @@ class Scene:
         lower = Box(SLAB, SLAB, (0.0, 0.0, 0.0), (3.0, 1.0, 1.0), (9, 2, 3))
         upper = Box(BLOCK, BLOCK, (0.0, 0.0, 1.0), (3.0, 1.0, 1.0), (9, 2, 3))
         apart = assemble([lower, upper])
-        joined = _joined(apart, lambda x: bool(abs(x[2] - 1.0) < 1e-9 and x[0] < 1.0 + 1e-9))
-        beyond = {
-            LOWER: _beyond(joined, f"{BLOCK}-bottom"),
-            UPPER: _beyond(joined, f"{SLAB}-top"),
-        }
+        x, _, z = apart.nodes.T
+        joined = _joined(apart, (abs(z - 1.0) < 1e-9) & (x < 1.0 + 1e-9))
+        beyond = {LOWER: _beyond(joined, f"{BLOCK}-bottom"), UPPER: _beyond(joined, f"{SLAB}-top")}
         pair = (LOWER, UPPER) if self.primary == LOWER else (UPPER, LOWER)
         sets = joined.node_sets | {
             SLAB: np.unique(joined.parts[0].elements),
@@ -171,28 +151,22 @@ class Scene:
         }
         mesh = replace(joined, node_sets=sets, surfaces=joined.surfaces | beyond, pairs={PAIR: pair})
         end = self.steps * STEP
-        path = Curve(((0.0, 0.0), (0.4 * end, 1.0), (end, -0.1)))
+        path = parts.Curve(((0.0, 0.0), (0.4 * end, 1.0), (end, -0.1)))
         conditions = (
-            fix(f"{SLAB}-bottom", "xyz"),
-            fix(f"{BLOCK}-top", "xy"),
-            pressure(f"{BLOCK}-top", 0.0),
-            displace(f"{BLOCK}-top", "z", -DEPTH / 2, 1),
+            parts.fix(f"{SLAB}-bottom", "xyz"),
+            parts.fix(f"{BLOCK}-top", "xy"),
+            parts.pressure(f"{BLOCK}-top", 0.0),
+            parts.displace(f"{BLOCK}-top", "z", -DEPTH / 2, 1),
         )
         return self._model(name, mesh, conditions, (path,))
 
 
-def _joined(mesh: Mesh, inside: Callable[[Nodes], bool]) -> Mesh:
-    """With one node in place of two where they coincide and lie inside."""
-    first: dict[tuple[float, ...], int] = {}
-    new = np.arange(1, len(mesh.nodes) + 1)
-    kept = []
-    for number, x in enumerate(mesh.nodes):
-        key = tuple(np.round(x, 9).tolist())
-        if inside(x) and key in first:
-            new[number] = first[key]
-            continue
-        kept.append(number)
-        new[number] = first[key] = len(kept)
+def _joined(mesh: Mesh, inside: Mask) -> Mesh:
+    """With one node in place of two where they coincide and are inside."""
+    keys = np.column_stack([np.round(mesh.nodes, 9), np.where(inside, -1, np.arange(len(mesh.nodes)))])
+    _, first, place = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    kept = np.sort(first)
+    new = np.searchsorted(kept, first[place]) + 1
     return Mesh(
         mesh.nodes[kept],
         tuple(replace(part, elements=new[part.elements - 1]) for part in mesh.parts),
@@ -202,7 +176,6 @@ def _joined(mesh: Mesh, inside: Callable[[Nodes], bool]) -> Mesh:
 
 
 def _beyond(mesh: Mesh, surface: str) -> Ids:
-    """Facets of a surface that are not joined."""
     facets = mesh.surfaces[surface]
     return np.asarray(facets[mesh.nodes[facets - 1, 0].mean(axis=1) > 1.0])
 
@@ -223,3 +196,34 @@ SCENES: Mapping[str, Scene] = {
     **_BIPHASIC,
     **{f"solute-{name}": replace(scene, solute=True) for name, scene in _BIPHASIC.items()},
 }
+
+
+TET_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+"""Corners of the faces, in the order in which FEBio has their nodes after those of the edges."""
+
+
+def _numbers(text: str | None) -> list[int]:
+    return [int(number) for number in (text or "").split(",")]
+
+
+def with_tet15(model: Feb) -> Feb:
+    """The same model with tetrahedra of 15 nodes in place of those of 10."""
+    made = model.copy()
+    mesh = only(made.root, "Mesh")
+    nodes = only(mesh, "Nodes")
+    middle = Middles(np.array([[float(value) for value in (node.text or "").split(",")] for node in nodes]))
+    for group in mesh.iter("Elements"):
+        group.set("type", "tet15")
+        for element in group:
+            ids = _numbers(element.text)
+            faces = [middle([ids[corner] for corner in face]) for face in TET_FACES]
+            element.text = ",".join(map(str, [*ids, *faces, middle(ids[:4])]))
+    for facet in list(mesh.iter("tri6")):
+        ids = _numbers(facet.text)
+        facet.tag = "tri7"
+        facet.text = ",".join(map(str, [*ids, middle(ids[:3])]))
+    for nodes_of in mesh.iter("NodeSet"):
+        nodes_of.text = ",".join(map(str, middle.grown(_numbers(nodes_of.text))))
+    for number, position in enumerate(middle.positions[len(nodes) :], len(nodes) + 1):
+        etree.SubElement(nodes, "node", id=str(number)).text = ",".join(f"{value:.12g}" for value in position)
+    return made

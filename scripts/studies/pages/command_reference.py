@@ -20,12 +20,8 @@ _DEFAULT = re.compile(r"\[default: ([^;\]]+)")
 def page(app: typer.Typer, installed: Container[str]) -> str:
     """The text of the page.
 
-    Parameters
-    ----------
-    app : typer.Typer
-        All commands; those that need no repository come first.
-    installed : container of str
-        Names of commands that need no repository.
+    app: all commands; those that need no repository come first.
+    installed: names of commands that need no repository.
     """
     group = typer.main.get_group(app)
     names = sorted(group.commands, key=lambda name: (name not in installed, name if name not in installed else ""))
@@ -34,7 +30,6 @@ def page(app: typer.Typer, installed: Container[str]) -> str:
 
 
 def _summary() -> str:
-    """What the script says of itself."""
     script = (REPOSITORY / "scripts" / "mixcontact").read_text(encoding="utf-8")
     return ast.get_docstring(ast.parse(script)) or ""
 

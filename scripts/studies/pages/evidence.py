@@ -30,25 +30,16 @@ _FIGURE = re.compile(r"\d")
 class EvidencePage:
     """A page of evidence."""
 
-    name: str
-    """Below docs/."""
-    sources: tuple[str, ...]
-    """Files below docs/data that its figures come from."""
+    name: str  # below docs/
+    sources: tuple[str, ...]  # files below docs/data that its figures come from
     template: Path
     """Markdown with a place ``{name}`` for each figure, table or list; ``{stamp}`` says what they were made with."""
-    figures: Callable[[], Mapping[str, str]]
-    """Reads the sources and says what goes where."""
+    figures: Callable[[], Mapping[str, str]]  # reads the sources and says what goes where
     compares_sources: bool = True
     """Whether the same commit of the plugin has to have made all sources; False where each has tables of its own."""
 
     def __call__(self) -> str:
-        """The page.
-
-        Raises
-        ------
-        DataFileError
-            Where sources have different stamps, or its text holds a figure of its own.
-        """
+        """The page. Raises DataFileError where sources have different stamps, or its text holds a figure of its own."""
         text = self.template.read_text(encoding="utf-8")
         own = figures_in(text)
         if own:
@@ -67,10 +58,7 @@ class EvidencePage:
 def filled(text: str, figures: Mapping[str, str]) -> str:
     """A template with its places filled in; braces in code stay.
 
-    Raises
-    ------
-    DataFileError
-        Where a place has no figure, or a figure no place.
+    Raises DataFileError where a place has no figure, or a figure no place.
     """
     places = set(PLACE.findall(text))
     if places != set(figures):
@@ -85,13 +73,7 @@ def figures_in(text: str) -> str:
 
 
 def stamp_of(path: Path) -> Stamp:
-    """What a file of results was made with.
-
-    Raises
-    ------
-    DataFileError
-        For a file without a stamp.
-    """
+    """What a file of results was made with. Raises DataFileError for a file without a stamp."""
     try:
         text = path.read_text(encoding="utf-8")
         data = json.loads(text)["stamp"] if path.suffix == ".json" else json.loads(text.splitlines()[0].lstrip("# "))
@@ -103,15 +85,8 @@ def stamp_of(path: Path) -> Stamp:
 def check_together(limits: Mapping[str, float]) -> None:
     """Refuse results that were not measured in one go.
 
-    Parameters
-    ----------
-    limits : mapping
-        By the names of files below docs/data, the limit (s) that each must have.
-
-    Raises
-    ------
-    DataFileError
-        Where plugin, commit or FEBio differ, or a limit is another one.
+    limits: by the names of files below docs/data, the limit (s) that each must have.
+    Raises DataFileError where plugin, commit or FEBio differ, or a limit is another one.
     """
     found = {name: stamp_of(DATA / name) for name in limits}
     versions = {(stamp.plugin, stamp.commit, stamp.engine) for stamp in found.values()}
@@ -123,10 +98,7 @@ def check_together(limits: Mapping[str, float]) -> None:
 def one_stamp(paths: list[Path], *, any_commit: bool = False) -> Stamp:
     """The stamp that files have in common; with `any_commit`, different commits of the plugin may have made them.
 
-    Raises
-    ------
-    DataFileError
-        Where they differ.
+    Raises DataFileError where they differ.
     """
     found = {path: stamp_of(path) for path in paths}
     if len({str(stamp) if any_commit else stamp for stamp in found.values()}) != 1:

@@ -5,14 +5,12 @@ from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 
-from studies import tables
-from studies.pages import stamped_rows
-from studies.pages.stamped_rows import Stamped
+from studies import files, tables
+from studies.files import Stamped
 from studies.pages.texts import page_text
 
 PAGE = "reference/linear-solvers.md"
-DATA = Path("data", "linear-solvers.json")
-"""Below docs/."""
+DATA = Path("data", "linear-solvers.json")  # below docs/
 SCENES = ("diffusion", "creep")
 
 ENFORCEMENTS = ("PENALTY", "AUGLAG", "LAGMULT")
@@ -61,19 +59,15 @@ class Outcome(str, Enum):
 class Trial:
     """A run."""
 
+    # What was solved by what.
     scene: str
     solver: str
     preconditioner: str
     enforcement: str
-    """What was solved by what."""
-    outcome: str
-    """How it ended."""
-    difference: float
-    """Of the last state from that of the reference, relative to the largest value of each kind."""
-    febio: str
-    """The FEBio that ran it."""
-    commit: str
-    """Of the plugin's sources, or unknown."""
+    outcome: str  # how it ended
+    difference: float  # of the last state from that of the reference, relative to the largest value of each kind
+    febio: str  # the FEBio that ran it
+    commit: str  # of the plugin's sources, or unknown
 
     @property
     def cell(self) -> tuple[str, str, str, str]:
@@ -81,14 +75,13 @@ class Trial:
         return (self.scene, self.enforcement, self.solver, self.preconditioner)
 
 
-Results = Stamped[Trial]
-"""The stamp is that of the last trials; others say their own FEBio and commit."""
+Results = Stamped[Trial]  # the stamp is that of the last trials; others say their own FEBio and commit
 HEAD = page_text("linear-solvers")
 
 
 def read(path: Path) -> Results:
-    """Read what the command wrote, as `stamped_rows.read` does."""
-    return stamped_rows.read(path, Trial, "linear-solvers")
+    """Read what the command wrote, as `files.read_stamped` does."""
+    return files.read_stamped(path, Trial, "linear-solvers")
 
 
 def renewed(known: Sequence[Trial], made: Sequence[Trial]) -> list[Trial]:

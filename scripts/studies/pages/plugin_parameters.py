@@ -5,66 +5,41 @@ say comes from texts/parameter_notes.json.
 """
 
 import json
-import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from harness.errors import DataFileError
 from harness.preflight.contact_types import MIXTURE
 from harness.preflight.plugin_types import FILE, PLUGIN_TYPES, Parameter
-from harness.run import hosts
 from studies import tables
 from studies.pages.texts import FOLDER, page_text
 
 PAGE = "reference/parameters.md"
 AUTOMATIC = {"penalty", "pressure_penalty", "concentration_penalty", "search_radius"}
 """Parameters that are chosen by the contact where the model does not give them."""
-OLD_MODELS = "Accepted for the sake of old models"
-"""The heading of parameters that FEBio Studio does not offer."""
+OLD_MODELS = "Accepted for the sake of old models"  # the heading of parameters that FEBio Studio does not offer
 
 
 @dataclass(frozen=True)
 class Note:
     """Of one parameter."""
 
-    effect: str
-    """What it means and does."""
-    cost: str = "none"
-    """What it costs, in time or robustness."""
-    febio: str = "same"
-    """What it is in FEBio's own interfaces."""
-    unit: str = ""
-    """Empty: 0 or 1 for truth values, else none."""
-    default: str = ""
-    """Empty: that of the code."""
+    effect: str  # what it means and does
+    cost: str = "none"  # what it costs, in time or robustness
+    febio: str = "same"  # what it is in FEBio's own interfaces
+    unit: str = ""  # empty: 0 or 1 for truth values, else none
+    default: str = ""  # empty: that of the code
 
 
 _SAID = json.loads((FOLDER / "parameter_notes.json").read_text(encoding="utf-8"))
-ABOUT: dict[str, str] = _SAID["groups"]
-"""A sentence on each group of parameters, by its heading."""
-NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}
-"""By the names of the parameters."""
-
-
-def printed() -> str:
-    """The types and parameters as the embedded engine prints them.
-
-    Raises
-    ------
-    EngineNotFoundError
-        Where the engine is not built.
-    """
-    command = [str(hosts.find_standalone()), "--contact-types"]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+ABOUT: dict[str, str] = _SAID["groups"]  # a sentence on each group of parameters, by its heading
+NOTES = {name: Note(**note) for name, note in _SAID["notes"].items()}  # by the names of the parameters
 
 
 def page(parameters: Sequence[Parameter] = PLUGIN_TYPES[MIXTURE]) -> str:
     """The text of the page.
 
-    Raises
-    ------
-    DataFileError
-        Where the notes and the code do not name the same parameters, or the same headings.
+    Raises DataFileError where the notes and the code do not name the same parameters, or the same headings.
     """
     titles = list(dict.fromkeys(_title(parameter) for parameter in parameters))
     odd = {parameter.name for parameter in parameters} ^ set(NOTES) | set(titles) ^ set(ABOUT)

@@ -9,8 +9,7 @@ from studies.pages.scene_results import MOST, Results, Row, Took
 from studies.pages.texts import page_text
 
 PAGE, ALL = "evidence/reported-scenes.md", "reference/reported-scenes.md"
-DATA = Path("data", "reported-scenes.json")
-"""Below docs/."""
+DATA = Path("data", "reported-scenes.json")  # below docs/
 WAYS = {"converted": "converted", "defaults": "penalties deleted"}
 """Runs of ours that each scene has, as the table calls them."""
 

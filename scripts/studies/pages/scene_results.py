@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from studies import tables
-from studies.pages import stamped_rows
-from studies.pages.stamped_rows import Stamped
+from studies import files, tables
+from studies.files import Stamped
 from studies.pages.texts import page_text
 
 PAGE, ALL = "evidence/synthetic-scenes.md", "reference/synthetic-scenes.md"
-DATA = Path("data", "synthetic-scenes.json")
-"""Below docs/."""
+DATA = Path("data", "synthetic-scenes.json")  # below docs/
 
 HEAD = page_text("synthetic-scenes")
 ALL_HEAD = page_text("synthetic-scenes-all")
@@ -21,18 +19,14 @@ ALL_HEAD = page_text("synthetic-scenes-all")
 
 FINER = (("elements-hex8", "finer"), ("biphasic", "biphasic-finer"), ("explicit", "explicit-finer"))
 """Scenes on two meshes, one twice as fine as the other."""
-MOST = 1.2
-"""Iterations over FEBio's, at most, in any scene."""
+MOST = 1.2  # iterations over FEBio's, at most, in any scene
 COLUMNS = (
     *("scene", "description", "FEBio", "converted", "displacements differ by", "fields differ by"),
     *("penalties deleted", "with `predictor` 1", "worse in"),
 )
-AT_LIMIT = "ended by the limit"
-"""Why a run did not end that took all of its processor time."""
-NOT_MADE = "not run"
-"""Why there is no run where nobody asked for it."""
-UNAVAILABLE = "not available in models with rigid bodies"
-"""What the plugin says of the predictor there."""
+AT_LIMIT = "ended by the limit"  # why a run did not end that took all of its processor time
+NOT_MADE = "not run"  # why there is no run where nobody asked for it
+UNAVAILABLE = "not available in models with rigid bodies"  # what the plugin says of the predictor there
 
 
 @dataclass(frozen=True)
@@ -48,8 +42,7 @@ class Took:
     displacement; 0 for FEBio's interface itself, not a number where a run did not end."""
     of_fields: float = math.nan
     """The same of pressure and concentrations, the largest of them; not a number where there are none."""
-    why: str = ""
-    """Why there is no run, or why it failed; `AT_LIMIT` where the limit ended it."""
+    why: str = ""  # why there is no run, or why it failed; `AT_LIMIT` where the limit ended it
 
     @property
     def at_limit(self) -> bool:
@@ -67,8 +60,7 @@ class Took:
         return self.why != NOT_MADE
 
 
-NOT_RUN = Took(ended=False, why=NOT_MADE)
-"""Stands for a run that nobody made."""
+NOT_RUN = Took(ended=False, why=NOT_MADE)  # stands for a run that nobody made
 
 
 @dataclass(frozen=True)
@@ -98,8 +90,8 @@ Results = Stamped[Row]
 
 
 def read(path: Path) -> Results:
-    """Read what the command wrote, as `stamped_rows.read` does."""
-    return stamped_rows.read(path, _row, "synthetic-scenes --docs")
+    """Read what the command wrote, as `files.read_stamped` does."""
+    return files.read_stamped(path, _row, "synthetic-scenes --docs")
 
 
 def _row(name: str, about: str, **runs: dict[str, bool | int | float | str]) -> Row:
@@ -188,7 +180,6 @@ def _counts(rows: Sequence[Row], runs: Sequence[Took]) -> tuple[int, int, int]:
 
 
 def _apart(rows: Sequence[Row]) -> str:
-    """By how much the answers differ."""
     both = [row.converted for row in rows if row.converted.ended]
     displacements = sorted(took.difference for took in both if not math.isnan(took.difference))
     fields = [took.of_fields for took in both if not math.isnan(took.of_fields)]
@@ -203,7 +194,6 @@ def _apart(rows: Sequence[Row]) -> str:
 
 
 def _predictor(rows: Sequence[Row]) -> str:
-    """What the predictor does to the runs without penalties."""
     runs = [(row.defaults, row.predicted) for row in rows if row.predicted.available]
     both = [(plain, predicted) for plain, predicted in runs if plain.ended and predicted.ended]
     without, with_it = sum(plain.iterations for plain, _ in both), sum(predicted.iterations for _, predicted in both)
@@ -215,7 +205,6 @@ def _predictor(rows: Sequence[Row]) -> str:
 
 
 def _limit(rows: Sequence[Row]) -> str:
-    """Which runs the limit ended."""
     ways = ("febio", "converted", "defaults", "predicted")
     counts = [sum(getattr(row, way).at_limit for row in rows) for way in ways]
     names = ("FEBio's", "converted", "penalties deleted", "with the predictor")

@@ -15,8 +15,7 @@ from studies import files
 FOLDER = "images/sketches"
 DARK, MIDDLE, LIGHT = "#1d2f49", "#4f74a3", "#dfe7f0"
 BROWN, SAND, RED = "#8a5a2b", "#f0e6d8", "#b3261e"
-CONTACT = 1.6
-"""Half of the width in contact in the sketch of the interface."""
+CONTACT = 1.6  # half of the width in contact in the sketch of the interface
 ARROW = {"arrowstyle": "-|>", "color": DARK, "lw": 1.4}
 
 

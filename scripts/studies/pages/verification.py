@@ -27,8 +27,7 @@ class Run:
     mesh: str
     steps: str
     contact: str
-    tolerances: str
-    """Name, and the rest as the page shows it."""
+    tolerances: str  # name, and the rest as the page shows it
     iterations: int
 
 
@@ -109,13 +108,7 @@ def write(folder: Path, report: Report) -> list[Path]:
 
 
 def read(folder: Path) -> Report:
-    """Read what `write` wrote.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that is not such a file.
-    """
+    """Read what `write` wrote. Raises DataFileError: a missing file, or one that is not such a file."""
     path = folder / DATA
     try:
         data = json.loads(path.read_text())

@@ -11,8 +11,7 @@ from harness.run.runner import RunResult
 from studies.closed_forms import biphasic_layers
 from studies.models.biphasic_hertz import BiphasicHertz
 
-FINE = 2000
-"""Intervals in which the closed form is integrated."""
+FINE = 2000  # intervals in which the closed form is integrated
 
 
 @dataclass(frozen=True)

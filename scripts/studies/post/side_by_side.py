@@ -18,8 +18,7 @@ from harness.report.plot_file import PlotFile
 _COLOURS = "turbo"
 _TISSUE = "#e6e1d6"
 """Colour of surfaces without pressure."""
-_SIZE = (1100, 800)
-"""Pixels of one run."""
+_SIZE = (1100, 800)  # pixels of one run
 
 
 @dataclass(frozen=True)
@@ -55,7 +54,6 @@ def _image(run: Shown, largest: float, camera: Sequence[tuple[float, ...]]) -> N
 
 
 def _cropped(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The image without its white border."""
     inked = np.any(image < 255, axis=2)
     rows, columns = (np.flatnonzero(np.any(inked, axis=axis)) for axis in (1, 0))
     return image[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]

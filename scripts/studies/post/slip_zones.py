@@ -16,15 +16,12 @@ class Zones:
     """The contact at the end of a run, and what it should be for the forces that pass."""
 
     x: Array
+    # Of the nodes under load: position (mm) and tractions (MPa).
     pressure: Array
     shear: Array
-    """Of the nodes under load: position (mm) and tractions (MPa)."""
-    half_width: float
-    """a of the closed form for the normal force, mm."""
-    ratio: float
-    """Q/(mu P)."""
-    bound: float
-    """mu p0 of the closed form, MPa."""
+    half_width: float  # a of the closed form for the normal force, mm
+    ratio: float  # Q/(mu P)
+    bound: float  # mu p0 of the closed form, MPa
 
     @property
     def stick_half_width(self) -> float:

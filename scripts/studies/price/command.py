@@ -12,21 +12,18 @@ from harness.paths import DOCS, RESULTS
 from studies import files, stamps
 from studies.options import Docs, console
 from studies.pages.evidence import DATA
-from studies.price import effect_costs, febio_matrices, joints, page, paired_runs
-from studies.price.effect_costs import EffectCost
+from studies.price import febio_matrices, joints, page, paired_runs, table
 from studies.price.scenes import Kind, Scene, effects_added
+from studies.price.table import EffectCost
 from studies.stamps import LIMIT
 
 
 class Part(str, Enum):
     """What there is to measure."""
 
-    JOINTS = "joints"
-    """A ball in its socket, of tetrahedra, and blocks with many facets, beside FEBio's own interface."""
-    EFFECTS = "effects"
-    """Times at the end of runs with more and more effects, as a bar chart."""
-    COMPARISON = "comparison"
-    """Iterations and times of the contact beside FEBio's own, on two blocks with many facets."""
+    JOINTS = "joints"  # a ball in its socket, of tetrahedra, and blocks with many facets, beside FEBio's own interface
+    EFFECTS = "effects"  # times at the end of runs with more and more effects, as a bar chart
+    COMPARISON = "comparison"  # iterations and times of the contact beside FEBio's own, on two blocks with many facets
     MATRICES = "matrices"
     """FEBio's interface on the joints with its default matrix, which is symmetric, beside a non-symmetric one."""
 
@@ -52,7 +49,7 @@ def price(
         rows = febio_matrices.measure(joints.SCENES, repetitions, tell)
         files.write_csv(rows, febio_matrices.Matrix, folder / page.MATRICES, stamp)
     if Part.EFFECTS in chosen:
-        costs = effect_costs.measure(effects_added(), repetitions, tell)
+        costs = table.measure(effects_added(), repetitions, tell)
         files.write_csv(costs, EffectCost, folder / page.EFFECTS, stamp)
     if Part.COMPARISON in chosen:
         scenes = (Scene(kind, solutes=int(kind in (Kind.SOLUTE, Kind.MULTIPHASIC))) for kind in Kind)

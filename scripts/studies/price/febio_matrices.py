@@ -1,13 +1,13 @@
 """FEBio's interface with the symmetric matrix that its module `solid` has by default, beside a non-symmetric one."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 from studies import tables, timing
 from studies.models.ball_in_socket import BallInSocket
 from studies.price import joints, table
 from studies.price.joints import Joint, Scene
+from studies.timing import Announce
 
 FORMATS = ("non-symmetric", "symmetric")
 """FEBio's names; the second is its default in the module `solid`, the first in modules with a fluid."""
@@ -26,29 +26,24 @@ class Matrix:
     ratio_low: float
     ratio_high: float
     """Median, least and largest of the processor time over that with a non-symmetric matrix, run in turn."""
-    entries: int
-    """The most entries of the matrix."""
+    entries: int  # the most entries of the matrix
 
 
-def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
+def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Announce) -> list[Matrix]:
     """Run FEBio's interface on the joints without a fluid, with each form of the matrix in turn."""
     solid = {name: scene for name, scene in scenes.items() if isinstance(scene, BallInSocket) and not scene.porous}
     return [row for name, scene in solid.items() for row in _rows(name, scene, repetitions, announce)]
 
 
-def _rows(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[Matrix]:
+def _rows(name: str, scene: Scene, repetitions: int, announce: Announce) -> list[Matrix]:
     model = joints.rival(scene).model()
     models = {form: replace(model, control=replace(model.control, matrix=form)) for form in FORMATS}
-    runs = timing.interleave(
-        {form: partial(joints.run, each) for form, each in models.items()},
-        repetitions,
-        lambda form, number: announce(f"{name}: {form} ({number} of {repetitions})"),
-    )
+    runs = joints.run(models, repetitions, lambda told: announce(f"{name}: {told}"))
     found = []
     for form, own in runs.items():
         run, log = own[0]
         counts = (run.report.normal, run.report.iterations, run.report.retries)
-        spread = timing.spread(joints.ratios(own, runs[FORMATS[0]]))
+        spread = timing.spread(timing.ratios(own, runs[FORMATS[0]]))
         found.append(Matrix(name, form, *counts, *spread, table.entries(log)))
     return found
 

@@ -2,14 +2,13 @@
 interface, run in turn.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from statistics import median
 from typing import NamedTuple
 
 from harness.errors import DataFileError
-from harness.models.document import Model
 from studies import tables, timing
 from studies.hard_cases.scene import Interface
 from studies.models.ball_in_socket import BallInSocket
@@ -18,10 +17,9 @@ from studies.models.pressed_blocks import PressedBlocks
 from studies.price import table
 from studies.price.scenes import Kind, penalties
 from studies.stamps import LIMIT, at_limit
-from studies.timing import Timed
+from studies.timing import Announce, Timed
 
-FACTOR = 10.0
-"""Of FEBio's automatic penalties: what its users set."""
+FACTOR = 10.0  # of FEBio's automatic penalties: what its users set
 Scene = BallInSocket | PressedBlocks
 SCENES: Mapping[str, Scene] = {
     "tet4, pressed": BallInSocket(slides=False),
@@ -42,28 +40,23 @@ class JointPrice:
     """One contact on one scene, from several runs."""
 
     scene: str
-    type: str
-    """Type of the contact; `PREDICTED` for ours with the predictor."""
+    type: str  # type of the contact; `PREDICTED` for ours with the predictor
     ended: bool
+    # Newton iterations, time steps tried again, and matrices formed.
     iterations: int
     retries: int
     matrices: int
-    """Newton iterations, time steps tried again, and matrices formed."""
-    seconds: float
-    """Median of the processor time of the run, s."""
+    seconds: float  # median of the processor time of the run, s
+    # Median, least and largest of that time over that of FEBio's interface, run in turn.
     ratio: float
     ratio_low: float
     ratio_high: float
-    """Median, least and largest of that time over that of FEBio's interface, run in turn."""
-    share: float
-    """Part of the run's time that the contact takes, of the run with the least part; nan for FEBio's."""
-    points: int
-    """Integration points that face the other surface; 0 for FEBio's."""
-    facets: int
-    """Of the primary surface."""
+    share: float  # part of the run's time that the contact takes, of the run with the least part; nan for FEBio's
+    points: int  # integration points that face the other surface; 0 for FEBio's
+    facets: int  # of the primary surface
+    # Equations, and the most entries of the matrix.
     unknowns: int
     entries: int
-    """Equations, and the most entries of the matrix."""
 
 
 def rival(scene: Scene) -> Scene:
@@ -79,31 +72,21 @@ def contacts(scene: Scene) -> dict[str, Scene]:
     return {OURS: scene, PREDICTED: predicted, theirs.contact: theirs}
 
 
-def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
+def measure(scenes: Mapping[str, Scene], repetitions: int, announce: Announce) -> list[JointPrice]:
     """Run the contacts of each scene in turn, `repetitions` times."""
     return [price for name, scene in scenes.items() for price in _prices(name, scene, repetitions, announce)]
 
 
-def _prices(name: str, scene: Scene, repetitions: int, announce: Callable[[str], None]) -> list[JointPrice]:
-    runs = timing.interleave(
-        {contact: partial(run, one.model()) for contact, one in contacts(scene).items()},
-        repetitions,
-        lambda contact, number: announce(f"{name}: {contact} ({number} of {repetitions})"),
-    )
+def _prices(name: str, scene: Scene, repetitions: int, announce: Announce) -> list[JointPrice]:
+    models = {contact: one.model() for contact, one in contacts(scene).items()}
+    runs = run(models, repetitions, lambda told: announce(f"{name}: {told}"))
     *_, reference = runs.values()
     mesh = scene.model().mesh
     facets = len(mesh.surfaces[scene.primary])
     return [_price(name, contact, found, reference, facets) for contact, found in runs.items()]
 
 
-def run(model: Model) -> Timed:
-    """Run a model once with the limit."""
-    return timing.execute(model, check=False, processor_limit=LIMIT)
-
-
-def ratios(runs: Sequence[Timed], reference: Sequence[Timed]) -> list[float]:
-    """Processor times of runs over those of the reference, run in turn."""
-    return [one.cpu / other.cpu for (one, _), (other, _) in zip(runs, reference, strict=True)]
+run = partial(timing.interleave, check=False, processor_limit=LIMIT)
 
 
 def _price(name: str, contact: str, runs: Sequence[Timed], reference: Sequence[Timed], facets: int) -> JointPrice:
@@ -111,7 +94,7 @@ def _price(name: str, contact: str, runs: Sequence[Timed], reference: Sequence[T
     share, points = min(((found.share, found.points) for found in times), default=(float("nan"), 0))
     first, log = runs[0]
     counts = (first.report.iterations, first.report.retries, first.report.reformations)
-    spent = (median(run.cpu for run, _ in runs), *timing.spread(ratios(runs, reference)))
+    spent = (median(run.cpu for run, _ in runs), *timing.spread(timing.ratios(runs, reference)))
     size = (facets, table.unknowns(log), table.entries(log))
     return JointPrice(name, contact, all(run.report.normal for run, _ in runs), *counts, *spent, share, points, *size)
 
@@ -125,13 +108,7 @@ class Joint(NamedTuple):
 
 
 def arranged(prices: Sequence[JointPrice]) -> list[Joint]:
-    """The rows by scene.
-
-    Raises
-    ------
-    DataFileError
-        Where a scene lacks one of its contacts.
-    """
+    """The rows by scene. Raises DataFileError where a scene lacks one of its contacts."""
     scenes = tables.grouped(prices, lambda price: price.scene)
     for name, own in scenes.items():
         if [price.type for price in own[:-1]] != [OURS, PREDICTED]:
@@ -161,7 +138,6 @@ def details(joints: Sequence[Joint]) -> str:
 
 
 def _both(joints: Sequence[Joint]) -> list[tuple[JointPrice, JointPrice]]:
-    """Runs of ours and of FEBio's in the scenes that both complete."""
     return [(joint.ours, joint.febio) for joint in joints if joint.ours.ended and joint.febio.ended]
 
 

@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 from studies import files, tables
 from studies.pages.evidence import DATA, EvidencePage
 from studies.price import febio_matrices, joints
-from studies.price.effect_costs import EffectCost
 from studies.price.febio_matrices import Matrix
 from studies.price.joints import JointPrice
 from studies.price.paired_runs import Price
 from studies.price.scenes import effects_added
+from studies.price.table import EffectCost
 
 JOINTS, EFFECTS, COMPARISON = "price-joints.csv", "price-effects.csv", "price-comparison.csv"
 MATRICES = "price-matrices.csv"

@@ -3,37 +3,17 @@
 from dataclasses import dataclass, field
 from enum import Enum
 
+from harness.models import parts
 from harness.models.document import Model
 from harness.models.interface import ContactSettings, InterfaceType, automatic, header
 from harness.models.mesh import Layer, Mesh, Section, conforming_column, split_column
-from harness.models.parts import (
-    Condition,
-    Contact,
-    Control,
-    Curve,
-    Elastic,
-    Material,
-    Mixture,
-    Solid,
-    Solute,
-    concentration,
-    displace,
-    fix,
-    initial_concentration,
-    pressure,
-)
 
-HEIGHT = 1.0
-"""mm, of each block; their section is 1 mm x 1 mm."""
-CLOSING = 0.01
-"""mm by which the top is moved down over the run."""
-BELOW, ABOVE = 1.0, 2.0
-"""Effective concentrations at the two ends, mM; 1 mM everywhere at the start."""
-STEPS, STEP = 5, 100.0
-"""Number of steps and their size, s: in one, solutes get about (d STEP)^(1/2) = 0.22 mm far."""
-SOLID = Solid(10.0)
-PERMEABILITY = 1e-3
-"""mm^4/(N s)."""
+HEIGHT = 1.0  # mm, of each block; their section is 1 mm x 1 mm
+CLOSING = 0.01  # mm by which the top is moved down over the run
+BELOW, ABOVE = 1.0, 2.0  # effective concentrations at the two ends, mM; 1 mM everywhere at the start
+STEPS, STEP = 5, 100.0  # number of steps and their size, s: in one, solutes get about (d STEP)^(1/2) = 0.22 mm far
+SOLID = parts.Solid(10.0)
+PERMEABILITY = 1e-3  # mm^4/(N s)
 
 ABOUT = """\
 Two blocks of 1 mm x 1 mm x 1 mm with matching meshes, pressed together by 0.01 mm in 500 s.
@@ -64,17 +44,14 @@ class Kind(str, Enum):
 @dataclass(frozen=True)
 class Scene:
     kind: Kind
-    contact: str = InterfaceType.MIXTURE.value
-    """Type of the contact; ``conforming`` for one body without a contact."""
-    solutes: int = 0
-    """Number of solutes of both blocks."""
-    fixed: bool = False
-    """Whether the solid is held everywhere."""
+    contact: str = InterfaceType.MIXTURE.value  # type of the contact; ``conforming`` for one body without a contact
+    solutes: int = 0  # number of solutes of both blocks
+    fixed: bool = False  # whether the solid is held everywhere
+    # Elements along x and y, and through each block.
     section: int = 8
     through: int = 2
-    """Elements along x and y, and through each block."""
     settings: ContactSettings = ContactSettings()
-    control: Control = field(default=Control(STEPS, STEP))
+    control: parts.Control = field(default=parts.Control(STEPS, STEP))
 
     @property
     def name(self) -> str:
@@ -95,8 +72,8 @@ class Scene:
             materials={"tissue": self._material()},
             conditions=tuple(self._conditions()),
             control=self.control,
-            contacts=tuple(Contact(self.contact, pair, self.settings.params()) for pair in mesh.pairs),
-            curves=(Curve(((0.0, 0.0), (end, 1.0))),),
+            contacts=tuple(parts.Contact(self.contact, pair, self.settings.params()) for pair in mesh.pairs),
+            curves=(parts.Curve(((0.0, 0.0), (end, 1.0))),),
         )
 
     def _mesh(self) -> Mesh:
@@ -104,20 +81,20 @@ class Scene:
         make = conforming_column if self.contact == InterfaceType.CONFORMING.value else split_column
         return make(layers, bottom=-HEIGHT, section=Section(elements=(self.section, self.section)))
 
-    def _material(self) -> Material:
+    def _material(self) -> parts.Material:
         if self.kind is Kind.ELASTIC:
-            return Elastic(SOLID)
-        solutes = tuple(Solute(sol, solubility=1.0 - 0.05 * sol) for sol in range(1, self.solutes + 1))
-        return Mixture(SOLID, PERMEABILITY, solutes=solutes)
+            return parts.Elastic(SOLID)
+        solutes = tuple(parts.Solute(sol, solubility=1.0 - 0.05 * sol) for sol in range(1, self.solutes + 1))
+        return parts.Mixture(SOLID, PERMEABILITY, solutes=solutes)
 
-    def _conditions(self) -> list[Condition]:
-        moved = [fix("all", "xyz")] if self.fixed else [fix("bottom", "xyz"), fix("top", "xy")]
+    def _conditions(self) -> list[parts.Condition]:
+        moved = [parts.fix("all", "xyz")] if self.fixed else [parts.fix("bottom", "xyz"), parts.fix("top", "xy")]
         if not self.fixed:
-            moved.append(displace("top", "z", -CLOSING, 1))
-        wet = [] if self.kind is Kind.ELASTIC else [pressure("top", 0.0)]
+            moved.append(parts.displace("top", "z", -CLOSING, 1))
+        wet = [] if self.kind is Kind.ELASTIC else [parts.pressure("top", 0.0)]
         for sol in range(1, self.solutes + 1):
-            wet += [concentration("bottom", BELOW, sol=sol), concentration("top", ABOVE, sol=sol)]
-            wet.append(initial_concentration("all", BELOW, sol))
+            wet += [parts.concentration("bottom", BELOW, sol=sol), parts.concentration("top", ABOVE, sol=sol)]
+            wet.append(parts.initial_concentration("all", BELOW, sol))
         return [*moved, *wet]
 
     def _what(self) -> str:

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-_WAIT = 50
-"""ms."""
+_WAIT = 50  # ms
 
 
 @contextmanager

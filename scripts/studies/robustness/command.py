@@ -11,7 +11,7 @@ from harness.paths import MODELS, RESULTS
 from studies import feb
 from studies.feb import Feb
 from studies.options import TWO_AT_MOST, Folder, Timeout, console
-from studies.robustness import report, sanitized, solvers
+from studies.robustness import sanitized, solvers, trial
 from studies.robustness.execution import Way
 from studies.robustness.trial import Finding, Trial
 
@@ -45,8 +45,8 @@ def robustness(
     way = Way(sanitized.build(), timeout)
     made = steps if steps is not None else QUICK_STEPS if quick else STEPS
     findings = _all(models, way, folder.resolve() / "runs", made, jobs)
-    console.print(f"{report.table(findings)}\n\n{report.summary(findings)}", markup=False)
-    console.print(f"Written: {', '.join(map(str, report.write(findings, folder)))}")
+    console.print(f"{trial.table(findings)}\n\n{trial.summary(findings)}", markup=False)
+    console.print(f"Written: {', '.join(map(str, trial.write(findings, folder)))}")
     if not all(found.passed for found in findings):
         raise typer.Exit(1)
 
@@ -54,7 +54,7 @@ def robustness(
 def _all(models: list[Feb], way: Way, folder: Path, steps: int, jobs: int) -> list[Finding]:
     def findings(model: Feb) -> list[Finding]:
         found = list(Trial(model, way, folder / model.name, steps).findings())
-        console.print(f"{model.name}: {report.summary(found)}", markup=False)
+        console.print(f"{model.name}: {trial.summary(found)}", markup=False)
         return found
 
     with ThreadPoolExecutor(jobs) as pool:

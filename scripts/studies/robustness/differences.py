@@ -5,10 +5,8 @@ from numpy.typing import NDArray
 
 from harness.run.logdata import History
 
-FLOOR = 1e-6
-"""Of a column whose values are smaller all along, in the units of the model: they are what rounding left."""
-SAME_TIME = 1e-7
-"""Relative to the end; FEBio writes nine digits, and takes two times that differ by less for one."""
+FLOOR = 1e-6  # of a column whose values are smaller all along, in the units of the model: they are what rounding left
+SAME_TIME = 1e-7  # relative to the end; FEBio writes nine digits, and takes two times that differ by less for one
 VECTOR = ("ux", "uy", "uz")
 
 

@@ -30,15 +30,11 @@ class Way:
 class Ended:
     """A run that has ended."""
 
-    folder: Path
-    """Where its files are."""
-    code: int | None
-    """febio4's exit code; minus the number of the signal that ended it; None where it took too long."""
+    folder: Path  # where its files are
+    code: int | None  # febio4's exit code; minus the number of the signal that ended it; None where it took too long
     report: febio_log.Report
-    sanitizers: tuple[str, ...]
-    """Their findings, a line for each."""
-    nodes: logdata.History | None
-    """The data of all nodes, where it wrote them."""
+    sanitizers: tuple[str, ...]  # their findings, a line for each
+    nodes: logdata.History | None  # the data of all nodes, where it wrote them
 
     @property
     def how(self) -> str:

@@ -8,13 +8,10 @@ from pathlib import Path
 from harness.errors import HarnessError
 from harness.paths import PLUGIN_NAME, REPOSITORY
 
-CONFIGURE, BUILD_PLUGIN = "sanitize", "sanitize-plugin"
-"""Presets; the second builds the plugin alone."""
+CONFIGURE, BUILD_PLUGIN = "sanitize", "sanitize-plugin"  # presets; the second builds the plugin alone
 BUILD = REPOSITORY / "build" / CONFIGURE
-REPORT = "sanitizer"
-"""Stem of the files into which the address sanitizer writes, one for each process."""
-SCREEN = "screen.txt"
-"""What febio4 and the undefined-behaviour sanitizer write."""
+REPORT = "sanitizer"  # stem of the files into which the address sanitizer writes, one for each process
+SCREEN = "screen.txt"  # what febio4 and the undefined-behaviour sanitizer write
 _SUMMARY = re.compile(r"^SUMMARY: \w+Sanitizer: (.*)$|runtime error: (.*)$", re.MULTILINE)
 _LEAK = re.compile(r"^(?:Direct|Indirect) leak of (\d+) byte.*?\n((?:\s+#\d+.*\n)*)", re.MULTILINE)
 
@@ -46,10 +43,8 @@ class Plugin:
 def build() -> Plugin:
     """Build the library in the folder of the sanitizers, `BUILD`.
 
-    Raises
-    ------
-    HarnessError
-        Where the build fails, with the end of what it said, or where the compiler brings no address sanitizer.
+    Raises HarnessError where the build fails, with the end of what it said, or where the compiler brings no address
+        sanitizer.
     """
     ninja = REPOSITORY / ".venv" / "bin" / "ninja"
     made = [f"-DCMAKE_MAKE_PROGRAM={ninja}"] if ninja.exists() else []

@@ -12,12 +12,9 @@ from harness.models.parts import Control, Curve, Elastic, Solid, displace, fix
 from studies import feb as xml
 from studies.feb import Element, Feb
 
-Change = Callable[[Element], object]
-"""Of a control section."""
-PRESSED, MOVED = 0.02, 0.1
-"""mm."""
-SMALL_STEP, SMALL_STEPS = 1e-4, 60
-"""s and number of explicit steps; sound needs 0.2 s to cross an element of the scene."""
+Change = Callable[[Element], object]  # of a control section
+PRESSED, MOVED = 0.02, 0.1  # mm
+SMALL_STEP, SMALL_STEPS = 1e-4, 60  # s and number of explicit steps; sound needs 0.2 s to cross an element of the scene
 
 
 def elastic() -> Feb:

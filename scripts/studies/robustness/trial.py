@@ -1,4 +1,4 @@
-"""A model in all its variations, and what each is held to."""
+"""A model in all its variations, what each is held to, and the report of it."""
 
 import shutil
 from collections.abc import Iterator, Sequence
@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from studies import feb as xml
+from studies import files, tables
 from studies.feb import Feb
 from studies.robustness import archives, differences, execution, sanitized, solvers, variations
 from studies.robustness.execution import Ended, Way
@@ -13,8 +14,7 @@ from studies.robustness.variations import EVERY
 
 ROUND_OFF = 1e-8
 """Relative difference that rounding may grow to in a run. FEBio writes twelve digits, and times with nine."""
-SOLVED = 0.05
-"""Relative difference between two methods of solution that both converge to the tolerances of the model."""
+SOLVED = 0.05  # relative difference between two methods of solution that both converge to the tolerances of the model
 
 
 @dataclass(frozen=True)
@@ -23,14 +23,12 @@ class Finding:
 
     model: str
     variation: str
-    ended: str
-    """How it ended."""
+    ended: str  # how it ended
     steps: int
     retries: int
     difference: float | None = None
     """From the run that it is compared with, as in `differences.largest`; None where there is nothing to compare."""
-    faults: tuple[str, ...] = ()
-    """What must not be."""
+    faults: tuple[str, ...] = ()  # what must not be
     note: str = ""
 
     @property
@@ -160,3 +158,33 @@ def _difference(run: Ended, reference: Ended) -> float:
 
 def _beyond(gap: float | None, tolerance: float) -> list[str]:
     return [f"difference above {tolerance:.0e}"] if gap is not None and gap > tolerance else []
+
+
+_HEAD = ("model", "variation", "ended", "steps", "retries", "difference", "faults")
+
+
+def table(findings: Sequence[Finding]) -> str:
+    """A Markdown table, a row for each variation of each model."""
+    return tables.markdown(_HEAD, map(_row, findings))
+
+
+def _row(found: Finding) -> tuple[str, ...]:
+    difference = "" if found.difference is None else f"{found.difference:.1e}"
+    said = "; ".join([*(f"**{fault}**" for fault in found.faults), *filter(None, [found.note])])
+    return (found.model, found.variation, found.ended, str(found.steps), str(found.retries), difference, said)
+
+
+def summary(findings: Sequence[Finding]) -> str:
+    """How many there are, and how many have a fault."""
+    faulty = [found for found in findings if not found.passed]
+    models = len({found.model for found in findings})
+    return f"{len(findings)} variations of {models} models: {len(faulty) or 'none'} with a fault."
+
+
+def write(findings: Sequence[Finding], folder: Path) -> list[Path]:
+    """Write the table and the same as JSON, and return the paths."""
+    folder.mkdir(parents=True, exist_ok=True)
+    text, data = folder / "robustness.md", folder / "robustness.json"
+    text.write_text(f"{summary(findings)}\n\n{table(findings)}\n")
+    files.write_json(findings, data)
+    return [text, data]

@@ -7,18 +7,12 @@ from lxml import etree
 from studies import feb as xml
 from studies.feb import Element, Feb
 
-CUT = 0.5
-"""What is left of a step that failed."""
-FEW, FEWEST = 8, 3
-"""Matrices in a step."""
-TOLERANCES = {"dtol": 1e-3, "min_residual": 1e-20}
-"""Without which no step ends, with FEBio's own values."""
-EVERY = 3
-"""Of the steps each third one is made to fail, and after each third one the run is restarted."""
-_PULSE = 1e-4
-"""Half the time for which nothing converges, relative to a step."""
-_NOTHING = 1e-30
-"""Zero would switch a tolerance off."""
+CUT = 0.5  # what is left of a step that failed
+FEW, FEWEST = 8, 3  # matrices in a step
+TOLERANCES = {"dtol": 1e-3, "min_residual": 1e-20}  # without which no step ends, with FEBio's own values
+EVERY = 3  # of the steps each third one is made to fail, and after each third one the run is restarted
+_PULSE = 1e-4  # half the time for which nothing converges, relative to a step
+_NOTHING = 1e-30  # zero would switch a tolerance off
 
 
 def shortened(model: Feb, end: float) -> Feb:

@@ -13,13 +13,7 @@ from studies.hard_cases import page as hard_cases
 from studies.hard_cases.outcomes import Outcome
 from studies.pages.evidence import DATA, EvidencePage
 
-SOURCES = (
-    hard_cases.SOURCE,
-    cost.SOURCE,
-    friction.CASES_SOURCE,
-    friction.MODELS_SOURCE,
-    curves_table.SOURCE,
-)
+SOURCES = (hard_cases.SOURCE, cost.SOURCE, friction.CASES_SOURCE, friction.MODELS_SOURCE, curves_table.SOURCE)
 
 
 def figures() -> Mapping[str, str]:

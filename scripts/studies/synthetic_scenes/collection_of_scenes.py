@@ -7,40 +7,15 @@ from typing import ClassVar
 
 from lxml import etree
 
+from harness.models import parts
 from harness.models.document import Model
-from harness.models.parts import (
-    Condition,
-    Contact,
-    Control,
-    Curve,
-    Element,
-    Material,
-    Mixture,
-    Param,
-    Rigid,
-    Solid,
-    Solute,
-    TimeStepper,
-    concentration,
-    displace,
-    fix,
-    hold_rigid,
-    initial_concentration,
-    normal_load,
-    pressure,
-    push_rigid,
-)
 from studies.models.pieces import move_rigid
 from studies.synthetic_scenes.slab_and_block import BASE, BLOCK, LOADED, LOWER, PAIR, SLAB, Cells, Elements, Shape, mesh
 
-DEPTH = 0.15
-"""mm by which the block is moved down."""
-GAP = 0.01
-"""mm between the two bodies at the start, where the block is moved."""
-OVERLAP = 0.02
-"""mm by which they overlap where it is pushed: it has to rest on something."""
-SLIDE = 0.3
-"""mm by which it slides afterwards, where it does."""
+DEPTH = 0.15  # mm by which the block is moved down
+GAP = 0.01  # mm between the two bodies at the start, where the block is moved
+OVERLAP = 0.02  # mm by which they overlap where it is pushed: it has to rest on something
+SLIDE = 0.3  # mm by which it slides afterwards, where it does
 
 
 @dataclass(frozen=True)
@@ -49,9 +24,9 @@ class Xml:
 
     kind: str
     inner: str
-    solutes: ClassVar[tuple[Solute, ...]] = ()
+    solutes: ClassVar[tuple[parts.Solute, ...]] = ()
 
-    def write(self, parent: Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
+    def write(self, parent: parts.Element, number: int, name: str, module: str) -> None:  # noqa: ARG002 the same in all modules
         """Append the material to the section `parent`."""
         attributes = f'id="{number}" name="{name}" type="{self.kind}"'
         parent.append(etree.fromstring(f"<material {attributes}><density>1e-3</density>{self.inner}</material>"))
@@ -103,38 +78,31 @@ SOLIDS: Mapping[str, Xml] = {
 """Elastic and inelastic solids of both bodies, by what they stand for."""
 
 
-def porous(modulus: float = 1.0, solutes: tuple[Solute, ...] = (), kind: str | None = "biphasic") -> Mixture:
+def porous(
+    modulus: float = 1.0, solutes: tuple[parts.Solute, ...] = (), kind: str | None = "biphasic"
+) -> parts.Mixture:
     """A soft porous body."""
-    return Mixture(Solid(modulus, 0.1), 1e-2, 0.8, solutes, 1.0, 0.0, kind)
+    return parts.Mixture(parts.Solid(modulus, 0.1), 1e-2, 0.8, solutes, 1.0, 0.0, kind)
 
 
 @dataclass(frozen=True)
 class Scene:
     """A scene."""
 
-    about: str
-    """What it stands for."""
-    contact: str = "sliding-elastic"
-    """FEBio's type of contact."""
-    params: tuple[Param, ...] = ()
-    """Its parameters."""
-    slab: Material | Xml = field(default_factory=elastic)
-    block: Material | Xml = field(default_factory=lambda: elastic(2.0))
+    about: str  # what it stands for
+    contact: str = "sliding-elastic"  # FEBio's type of contact
+    params: tuple[parts.Param, ...] = ()  # its parameters
+    slab: parts.Material | Xml = field(default_factory=elastic)
+    block: parts.Material | Xml = field(default_factory=lambda: elastic(2.0))
     elements: Elements = Elements.HEX8
-    shape: Shape = Shape.CYLINDER
-    """See `slab_and_block`."""
+    shape: Shape = Shape.CYLINDER  # see `slab_and_block`
     module: str = "solid"
-    force: float | None = None
-    """N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved."""
-    slides: bool = False
-    """Whether the block slides after it has been pressed."""
+    force: float | None = None  # N, on a free rigid block, or MPa on the top of a deformable one, where it is not moved
+    slides: bool = False  # whether the block slides after it has been pressed
     dynamic: bool = False
-    primary: str = LOWER
-    """Its surface is the primary one."""
-    stepper: bool = True
-    """Whether steps adapt themselves."""
-    fineness: int = 1
-    """Of the mesh; see `slab_and_block`."""
+    primary: str = LOWER  # its surface is the primary one
+    stepper: bool = True  # whether steps adapt themselves
+    fineness: int = 1  # of the mesh; see `slab_and_block`
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` with FEBio's interface into `folder`, and return its path."""
@@ -144,11 +112,11 @@ class Scene:
         """The model with FEBio's interface."""
         solutes = sorted({solute.sol for body in (self.slab, self.block) for solute in body.solutes})
         ambient = tuple(_ambient(self.contact, sol) for sol in solutes)
-        stepper = TimeStepper(0.1, retries=8, optimal_iterations=15) if self.stepper else None
+        stepper = parts.TimeStepper(0.1, retries=8, optimal_iterations=15) if self.stepper else None
         gap, steps = GAP if self.force is None else -OVERLAP, 20 if self.slides else 10
         analysis = "DYNAMIC" if self.dynamic else None
         # One material may stand for any of the types: a model writes what it is given.
-        materials: dict[str, Material] = {SLAB: self.slab, BLOCK: self.block}  # type: ignore[dict-item]
+        materials: dict[str, parts.Material] = {SLAB: self.slab, BLOCK: self.block}  # type: ignore[dict-item]
         return Model(
             name=name,
             header=self.about,
@@ -156,50 +124,54 @@ class Scene:
             mesh=mesh(self.elements, self.shape, self.primary, gap, Cells().times(self.fineness)),
             materials=materials,
             conditions=tuple(self._conditions(solutes)),
-            control=Control(steps, 0.1, reformations=25, stepper=stepper, analysis=analysis),
-            contacts=(Contact(self.contact, PAIR, (*self.params, *ambient)),),
-            curves=(Curve(((0.0, 0.0), (1.0, 1.0))), Curve(((0.0, 0.0), (1.0, 0.0), (2.0, 1.0)))),
+            control=parts.Control(steps, 0.1, reformations=25, stepper=stepper, analysis=analysis),
+            contacts=(parts.Contact(self.contact, PAIR, (*self.params, *ambient)),),
+            curves=(parts.Curve(((0.0, 0.0), (1.0, 1.0))), parts.Curve(((0.0, 0.0), (1.0, 0.0), (2.0, 1.0)))),
         )
 
-    def _conditions(self, solutes: list[int]) -> list[Condition]:
-        found = [hold_rigid(SLAB, "xyzuvw")] if isinstance(self.slab, Rigid) else [fix(BASE, "xyz")]
+    def _conditions(self, solutes: list[int]) -> list[parts.Condition]:
+        found = [parts.hold_rigid(SLAB, "xyzuvw")] if isinstance(self.slab, parts.Rigid) else [parts.fix(BASE, "xyz")]
         found += self._load()
         for body, material, outside in ((SLAB, self.slab, BASE), (BLOCK, self.block, LOADED)):
-            if isinstance(material, Mixture):
-                found.append(pressure(outside, 0.0))
+            if isinstance(material, parts.Mixture):
+                found.append(parts.pressure(outside, 0.0))
                 held = 1.0 if body == SLAB else 0.5
-                found += [concentration(outside, held, sol=sol) for sol in solutes]
-                found += [initial_concentration(body, held, sol) for sol in solutes]
+                found += [parts.concentration(outside, held, sol=sol) for sol in solutes]
+                found += [parts.initial_concentration(body, held, sol) for sol in solutes]
         return found
 
-    def _load(self) -> list[Condition]:
-        rigid = isinstance(self.block, Rigid)
+    def _load(self) -> list[parts.Condition]:
+        rigid = isinstance(self.block, parts.Rigid)
         if self.force is not None:
             if rigid:
-                return [hold_rigid(BLOCK, "xyuvw"), push_rigid(BLOCK, "z", -self.force, 1)]
-            return [fix(LOADED, "xy"), normal_load(LOADED, self.force, 1)]
+                return [parts.hold_rigid(BLOCK, "xyuvw"), parts.push_rigid(BLOCK, "z", -self.force, 1)]
+            return [parts.fix(LOADED, "xy"), parts.normal_load(LOADED, self.force, 1)]
         held = "y" if self.slides else "xy"
-        move, where = (move_rigid, BLOCK) if rigid else (displace, LOADED)
+        move, where = (move_rigid, BLOCK) if rigid else (parts.displace, LOADED)
         slide = [move(where, "x", SLIDE, 2)] if self.slides else []
-        return [hold_rigid(BLOCK, f"{held}uvw") if rigid else fix(LOADED, held), move(where, "z", -DEPTH, 1), *slide]
+        return [
+            parts.hold_rigid(BLOCK, f"{held}uvw") if rigid else parts.fix(LOADED, held),
+            move(where, "z", -DEPTH, 1),
+            *slide,
+        ]
 
 
-def _ambient(contact: str, sol: int) -> Param:
+def _ambient(contact: str, sol: int) -> parts.Param:
     attributes = {} if contact == "sliding-biphasic-solute" else {"sol": str(sol)}
-    return Param("ambient_concentration", 0.5, attributes=attributes)
+    return parts.Param("ambient_concentration", 0.5, attributes=attributes)
 
 
-def _penalty(value: float, *extra: Param) -> tuple[Param, ...]:
+def _penalty(value: float, *extra: parts.Param) -> tuple[parts.Param, ...]:
     """Automatic penalties with factors, as users set them."""
-    found = [Param("laugon", "PENALTY"), Param("auto_penalty", True), Param("penalty", value)]
+    found = [parts.Param("laugon", "PENALTY"), parts.Param("auto_penalty", True), parts.Param("penalty", value)]
     replaced = {param.tag for param in extra}
     return (*(param for param in found if param.tag not in replaced), *extra)
 
 
-AUGMENTED = (Param("laugon", "AUGLAG"), Param("tolerance", 0.05))
-TWO_PASS = Param("two_pass", True)
-SOLUTE = (Solute(1, 5e-3, 1e-2),)
-SALT = (Solute(1, 5e-3, 1e-2), Solute(2, 4e-3, 1e-2))
+AUGMENTED = (parts.Param("laugon", "AUGLAG"), parts.Param("tolerance", 0.05))
+TWO_PASS = parts.Param("two_pass", True)
+SOLUTE = (parts.Solute(1, 5e-3, 1e-2),)
+SALT = (parts.Solute(1, 5e-3, 1e-2), parts.Solute(2, 4e-3, 1e-2))
 
 
 def _solids() -> dict[str, Scene]:
@@ -214,7 +186,9 @@ def _solids() -> dict[str, Scene]:
         f"elements-{kind.value}": replace(basic, about=f"bodies of {kind.value}", elements=kind) for kind in Elements
     }
     scenes |= {
-        f"type-{kind}": replace(basic, about=kind, contact=kind, params=_penalty(10.0, Param("laugon", "PENALTY")))
+        f"type-{kind}": replace(
+            basic, about=kind, contact=kind, params=_penalty(10.0, parts.Param("laugon", "PENALTY"))
+        )
         for kind in ("sliding-facet-on-facet", "sliding-node-on-facet")
     }
     return scenes
@@ -236,14 +210,16 @@ def _loads() -> dict[str, Scene]:
         "augmented": replace(basic, about="augmented Lagrangian", params=_penalty(5.0, *AUGMENTED)),
         "two-pass-augmented": replace(basic, about="two passes, augmented", params=_penalty(5.0, TWO_PASS, *AUGMENTED)),
         "explicit-penalty": replace(
-            basic, about="numerical penalty", params=_penalty(20.0, Param("auto_penalty", False))
+            basic, about="numerical penalty", params=_penalty(20.0, parts.Param("auto_penalty", False))
         ),
-        "tension": replace(basic, about="surfaces that bear tension", params=_penalty(10.0, Param("tension", True))),
+        "tension": replace(
+            basic, about="surfaces that bear tension", params=_penalty(10.0, parts.Param("tension", True))
+        ),
         "pressure-load": replace(basic, about="a pressure presses the block", force=0.05),
-        "rigid-block": replace(basic, about="a rigid block is moved", block=Rigid()),
-        "rigid-block-slides": replace(basic, about="a rigid block slides", block=Rigid(), slides=True),
-        "rigid-slab": replace(basic, about="a rigid slab", slab=Rigid(), primary=LOWER),
-        "rigid-free": replace(basic, about="a free rigid block, pressed by a force", block=Rigid(), force=0.1),
+        "rigid-block": replace(basic, about="a rigid block is moved", block=parts.Rigid()),
+        "rigid-block-slides": replace(basic, about="a rigid block slides", block=parts.Rigid(), slides=True),
+        "rigid-slab": replace(basic, about="a rigid slab", slab=parts.Rigid(), primary=LOWER),
+        "rigid-free": replace(basic, about="a free rigid block, pressed by a force", block=parts.Rigid(), force=0.1),
         "stiff-on-soft": replace(basic, about="a block 1000 times as stiff as the slab", block=elastic(1000.0)),
         "dynamic": replace(basic, about="dynamic analysis", dynamic=True),
         "fixed-steps": replace(basic, about="steps of fixed length", stepper=False),
@@ -254,7 +230,7 @@ def _mixtures() -> dict[str, Scene]:
     wet = Scene(
         "biphasic bodies",
         contact="sliding-biphasic",
-        params=_penalty(10.0, Param("pressure_penalty", 10.0), Param("symmetric_stiffness", False)),
+        params=_penalty(10.0, parts.Param("pressure_penalty", 10.0), parts.Param("symmetric_stiffness", False)),
         module="biphasic",
         slab=porous(),
         block=porous(2.0),
@@ -265,8 +241,8 @@ def _mixtures() -> dict[str, Scene]:
         module="solute",
         params=_penalty(
             10.0,
-            *(Param(f"{field}_penalty", 10.0) for field in ("pressure", "concentration")),
-            Param("symmetric_stiffness", False),
+            *(parts.Param(f"{field}_penalty", 10.0) for field in ("pressure", "concentration")),
+            parts.Param("symmetric_stiffness", False),
         ),
         slab=porous(1.0, SOLUTE, "biphasic-solute"),
         block=porous(2.0, SOLUTE, "biphasic-solute"),
@@ -285,8 +261,10 @@ def _mixtures() -> dict[str, Scene]:
         "biphasic-two-pass": replace(wet, about="biphasic, two passes", params=(*wet.params, TWO_PASS)),
         "biphasic-tet4": replace(wet, about="biphasic tetrahedra", elements=Elements.TET4),
         "biphasic-hex20": replace(wet, about="biphasic hex20", elements=Elements.HEX20),
-        "biphasic-under-rigid": replace(wet, about="a rigid block on a biphasic slab", block=Rigid(), primary="slab"),
-        "biphasic-creep": replace(wet, about="a free rigid block on a biphasic slab", block=Rigid(), force=0.05),
+        "biphasic-under-rigid": replace(
+            wet, about="a rigid block on a biphasic slab", block=parts.Rigid(), primary="slab"
+        ),
+        "biphasic-creep": replace(wet, about="a free rigid block on a biphasic slab", block=parts.Rigid(), force=0.05),
         "biphasic-impermeable": replace(
             wet, about="porous bodies with sliding-elastic", contact="sliding-elastic", params=_penalty(10.0)
         ),

@@ -25,14 +25,10 @@ SCENES: Mapping[str, Written] = {
 class Collection(str, Enum):
     """A collection, as the command line names it."""
 
-    BLOCKS = "blocks"
-    """Mostly a block on a slab: every element, material, module and solver."""
-    REPORTED = "reported"
-    """Kinds of model that users report."""
-    VARIED = "varied"
-    """Reported scenes with random materials, contacts and solvers, `seed-000` to `seed-999`."""
-    BODIES = "bodies"
-    """Bodies with random shapes and meshes, `seed-000` to `seed-999`."""
+    BLOCKS = "blocks"  # mostly a block on a slab: every element, material, module and solver
+    REPORTED = "reported"  # kinds of model that users report
+    VARIED = "varied"  # reported scenes with random materials, contacts and solvers, `seed-000` to `seed-999`
+    BODIES = "bodies"  # bodies with random shapes and meshes, `seed-000` to `seed-999`
 
 
 @dataclass(frozen=True)
@@ -40,15 +36,12 @@ class Study:
     """What a collection is run for."""
 
     scenes: Mapping[str, Written]
-    ways: Sequence[str]
-    """Names of `comparison.WAYS`."""
-    data: Path | None
-    """Below docs/; None where nothing is kept."""
-    pages: Mapping[str, Callable[[Results], str]]
-    """Generated pages below docs/."""
+    ways: Sequence[str]  # names of `comparison.WAYS`
+    data: Path | None  # below docs/; None where nothing is kept
+    pages: Mapping[str, Callable[[Results], str]]  # generated pages below docs/
+    # What the results come to.
     summary: Callable[[Sequence[Row]], str]
     table: Callable[[Sequence[Row]], str]
-    """What the results come to."""
 
 
 STUDIES: Mapping[Collection, Study] = {

@@ -9,9 +9,9 @@ import typer
 from rich.progress import track
 
 from harness.paths import DOCS, PLUGIN_VARIABLE, RESULTS
-from studies import stamps
+from studies import files, stamps
 from studies.options import TWO_AT_MOST, Docs, Folder, Jobs, Limit, console
-from studies.pages import scene_results, stamped_rows
+from studies.pages import scene_results
 from studies.pages.scene_results import Row
 from studies.stamps import LIMIT
 from studies.synthetic_scenes import comparison
@@ -62,7 +62,7 @@ def _write(study: Study, results: scene_results.Results, path: Path, docs: bool)
     console.print(text, markup=False)
     console.print(f"Written: {path}")
     if docs and study.data is not None:
-        stamped_rows.write(results, DOCS / study.data)
+        files.write_stamped(results, DOCS / study.data)
         for name, page in study.pages.items():
             (DOCS / name).write_text(page(results), encoding="utf-8")
         console.print(f"Written: {', '.join(map(str, (*study.pages, study.data)))} below {DOCS}")

@@ -24,8 +24,7 @@ from studies.synthetic_scenes import kept_runs
 POSITIONS, DISPLACEMENTS = ("x", "y", "z"), ("ux", "uy", "uz")
 DISPLACEMENT = "displacement"
 PENALTIES = ("auto_penalty", "penalty", "pressure_penalty", "concentration_penalty")
-State = dict[str, Array]
-"""By kind."""
+State = dict[str, Array]  # by kind
 Change = Callable[[Element], None]
 
 
@@ -66,10 +65,7 @@ def _converted(original: Path, folder: Path, limit: float, state: State | None, 
 def write_converted(original: Path, folder: Path, change: Change) -> Path:
     """Write a model into another folder, converted and with a change of each contact, and return its path.
 
-    Raises
-    ------
-    HarnessError
-        Where it cannot be converted.
+    Raises HarnessError where it cannot be converted.
     """
     made_by_runs = shutil.ignore_patterns("*.txt", "*.log", kept_runs.NAME)
     shutil.copytree(original.parent, folder, dirs_exist_ok=True, ignore=made_by_runs)
@@ -132,7 +128,6 @@ def _difference(febio: Array, ours: Array) -> float:
 
 
 def _reason(report: febio_log.Report, cpu: float, limit: float) -> str:
-    """Why a run did not end."""
     if at_limit(report.normal, cpu, limit):
         return AT_LIMIT
     return "; ".join(report.errors) or "no normal termination"

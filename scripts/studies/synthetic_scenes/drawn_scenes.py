@@ -8,8 +8,7 @@ from studies.synthetic_scenes.reported.sketch import Drawn
 
 PENALTY = "<laugon>PENALTY</laugon><auto_penalty>1</auto_penalty><penalty>10</penalty>"
 RAMP = curve(1, (0, 0), (1, 1))
-HELD = "".join(f"<R{dof}_dof>1</R{dof}_dof>" for dof in "xyzuvw")
-"""Every degree of freedom of a rigid body."""
+HELD = "".join(f"<R{dof}_dof>1</R{dof}_dof>" for dof in "xyzuvw")  # every degree of freedom of a rigid body
 
 
 def _control(module: str = "solid", analysis: str = "STATIC") -> str:

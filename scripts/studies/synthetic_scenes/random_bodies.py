@@ -16,12 +16,10 @@ from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import Material
 
 Value = TypeVar("Value")
-SEEDS = 1000
-"""How many scenes there are."""
+SEEDS = 1000  # how many scenes there are
 LINEAR, QUADRATIC = ("hex8", "tet4", "penta6"), ("hex20", "hex27", "tet10", "tet15", "penta15")
 POROUS_ELEMENTS = ("hex8", "hex20", "hex27", "tet10", "tet15")
-PRESSURE_ONLY = ("sliding-facet-on-facet", "sliding-biphasic-solute")
-"""FEBio's types without friction."""
+PRESSURE_ONLY = ("sliding-facet-on-facet", "sliding-biphasic-solute")  # FEBio's types without friction
 RELIEFS: Mapping[str, Callable[[Nodes], Nodes]] = {
     "flat": lambda u: 0.0 * u[..., 0],
     "roll": lambda u: u[..., 0] ** 2,
@@ -65,17 +63,14 @@ class Draw:
 class Block:
     """A block with a curved face on its top or at its bottom."""
 
+    # Mm.
     length: float
     width: float
     height: float
-    """mm."""
     relief: str
-    rise: float
-    """The face rises by this times the relief, mm."""
-    is_below: bool
-    """Whether the face is on top of the block."""
-    lift: float = 0.0
-    """By how much the block is higher than with its face around z = 0, mm."""
+    rise: float  # the face rises by this times the relief, mm
+    is_below: bool  # whether the face is on top of the block
+    lift: float = 0.0  # by how much the block is higher than with its face around z = 0, mm
 
     def face(self, points: Nodes) -> Nodes:
         """Heights of the face at positions (..., 2), mm; those of a block below are negative, the others positive."""
@@ -217,7 +212,6 @@ def _soaked(draw: Draw) -> Sketch:
 
 
 def _layers(draw: Draw) -> Sketch:
-    """Three or four layers on each other."""
     names = [f"layer{n}" for n in range(draw.pick([3, 4]))]
     bodies: dict[str, Shape] = {}
     at = 0.0

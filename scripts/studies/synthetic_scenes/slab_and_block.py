@@ -15,10 +15,8 @@ from studies.models.quadratic import quadratic
 from studies.models.tetrahedra import tetrahedra
 
 SLAB, BLOCK = "slab", "block"
-BASE, LOADED = "slab-base", "block-loaded"
-"""Surfaces and node sets: what is held, and what is moved or loaded."""
-UPPER, LOWER = "slab-contact", "block-contact"
-"""The surfaces in contact."""
+BASE, LOADED = "slab-base", "block-loaded"  # surfaces and node sets: what is held, and what is moved or loaded
+UPPER, LOWER = "slab-contact", "block-contact"  # the surfaces in contact
 PAIR = "contact"
 
 

@@ -14,10 +14,8 @@ from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import TWO_PASS, Material, auglag, auto, friction
 
 Random = np.random.Generator
-SEEDS = 1000
-"""How many scenes there are."""
-STIFF, FLUID = ("E", "c1", "c2", "k"), ("perm", "free_diff", "diff")
-"""Parameters of a material that change together."""
+SEEDS = 1000  # how many scenes there are
+STIFF, FLUID = ("E", "c1", "c2", "k"), ("perm", "free_diff", "diff")  # parameters of a material that change together
 DRAWN = re.compile(r"<(laugon|tolerance|auto_penalty|penalty|two_pass|fric_coeff)>([^<]*)</\1>")
 """Parameters of a contact that are drawn; all others stay."""
 MOST_FRICTION, LARGEST_RATIO = 0.5, 0.49

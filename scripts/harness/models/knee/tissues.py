@@ -18,24 +18,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 
+from harness.models import parts
 from harness.models.interface import ContactSettings, InterfaceType, automatic
 from harness.models.knee.whole_mesh import BATH, POROUS
-from harness.models.parts import (
-    Condition,
-    Elastic,
-    Element,
-    Mixture,
-    Param,
-    Solid,
-    Solute,
-    child,
-    concentration,
-    effective_pressure,
-    fill,
-    initial_concentration,
-    initial_pressure,
-    pressure,
-)
 
 TOE = 1.01  # stretch at which all fibres are straight
 AROUND, ACROSS, UP = (1, 2), (1, 4), (1, 5)
@@ -43,19 +28,19 @@ AROUND, ACROSS, UP = (1, 2), (1, 4), (1, 5)
 
 
 @dataclass(frozen=True)
-class Fibrous(Solid):
+class Fibrous(parts.Solid):
     """Neo-Hookean matrix with fibres along edges of the elements, which bear tension alone."""
 
     # Young's modulus that straight fibres add along an edge, MPa.
     fibres: Mapping[tuple[int, int], float] = field(default_factory=dict)
 
-    def write(self, parent: Element, tag: str = "solid") -> Element:
-        made = child(parent, tag, type="solid mixture")
+    def write(self, parent: parts.Element, tag: str = "solid") -> parts.Element:
+        made = parts.child(parent, tag, type="solid mixture")
         super().write(made)
         for edge, modulus in self.fibres.items():
-            fibres = child(made, "solid", type="fiber-pow-linear")
-            fill(fibres, E=modulus, lam0=TOE, beta=2.0)
-            child(fibres, "fiber", edge, type="local")
+            fibres = parts.child(made, "solid", type="fiber-pow-linear")
+            parts.fill(fibres, E=modulus, lam0=TOE, beta=2.0)
+            parts.child(fibres, "fiber", edge, type="local")
         return made
 
 
@@ -64,18 +49,18 @@ class Tissues:
     """What cartilage and menisci are, and what follows from it for a model."""
 
     module: str  # of FEBio
-    cartilage: Elastic | Mixture
-    meniscus: Elastic | Mixture
+    cartilage: parts.Elastic | parts.Mixture
+    meniscus: parts.Elastic | parts.Mixture
     theirs: InterfaceType  # FEBio's contact between them
     about: str  # the tissues in a sentence
     # At the start, and where synovial fluid wets them outside of contact surfaces.
-    conditions: tuple[Condition, ...] = ()
-    ambient: tuple[Param, ...] = ()  # the same fluid at open nodes of contacts
+    conditions: tuple[parts.Condition, ...] = ()
+    ambient: tuple[parts.Param, ...] = ()  # the same fluid at open nodes of contacts
 
     @property
     def porous(self) -> bool:
         """Whether fluid flows in them."""
-        return isinstance(self.cartilage, Mixture)
+        return isinstance(self.cartilage, parts.Mixture)
 
     def automatic(self, factor: float) -> ContactSettings:
         """FEBio's automatic penalties times a factor, for what the tissues exchange."""
@@ -90,14 +75,13 @@ REST, BATH_LEVEL = 5.0, 7.0
 
 Coarse elements undershoot at a front; with these levels they stay above zero, where FEBio's solver creates no solute.
 """
-GLUCOSE = (Solute(1, diffusivity=6e-4, free_diffusivity=9e-4),)
+GLUCOSE = (parts.Solute(1, diffusivity=6e-4, free_diffusivity=9e-4),)
 
 
-def _porous(solutes: tuple[Solute, ...] = ()) -> tuple[Mixture, Mixture]:
-    """Cartilage and menisci."""
+def _porous(solutes: tuple[parts.Solute, ...] = ()) -> tuple[parts.Mixture, parts.Mixture]:
     cartilage = Fibrous(0.65, 0.1, fibres={AROUND: 12.0, ACROSS: 12.0, UP: 12.0})
     meniscus = Fibrous(0.18, 0.3, fibres={AROUND: 150.0, ACROSS: 20.0, UP: 20.0})
-    return Mixture(cartilage, 1.2e-3, solutes=solutes), Mixture(meniscus, 1.5e-3, solutes=solutes)
+    return parts.Mixture(cartilage, 1.2e-3, solutes=solutes), parts.Mixture(meniscus, 1.5e-3, solutes=solutes)
 
 
 class Bodies(str, Enum):
@@ -111,8 +95,8 @@ class Bodies(str, Enum):
 TISSUES: Mapping[Bodies, Tissues] = {
     Bodies.ELASTIC: Tissues(
         "solid",
-        Elastic(Solid(15.0, 0.475)),
-        Elastic(Fibrous(20.0, 0.3, fibres={AROUND: 130.0})),
+        parts.Elastic(parts.Solid(15.0, 0.475)),
+        parts.Elastic(Fibrous(20.0, 0.3, fibres={AROUND: 130.0})),
         InterfaceType.ELASTIC,
         "Elastic cartilage on rigid bone; elastic menisci\n"
         "with fibres along their arcs, whose horns springs hold to the tibia.",
@@ -123,7 +107,7 @@ TISSUES: Mapping[Bodies, Tissues] = {
         InterfaceType.BIPHASIC,
         "Biphasic cartilage on rigid bone; biphasic\n"
         "menisci, whose horns springs hold to the tibia. Fibres in three directions bear tension alone.",
-        (pressure(BATH, 0.0),),
+        (parts.pressure(BATH, 0.0),),
     ),
     Bodies.SOLUTE: Tissues(
         "solute",
@@ -133,11 +117,14 @@ TISSUES: Mapping[Bodies, Tissues] = {
         "biphasic-solute menisci, whose horns springs hold to the tibia. Fibres in three directions bear tension.\n"
         "Glucose diffuses in from the synovial fluid.",
         (
-            pressure(BATH, effective_pressure(BATH_LEVEL)),
-            concentration(BATH, BATH_LEVEL),
-            initial_pressure(POROUS, effective_pressure(REST)),
-            initial_concentration(POROUS, REST),
+            parts.pressure(BATH, parts.effective_pressure(BATH_LEVEL)),
+            parts.concentration(BATH, BATH_LEVEL),
+            parts.initial_pressure(POROUS, parts.effective_pressure(REST)),
+            parts.initial_concentration(POROUS, REST),
         ),
-        (Param("ambient_pressure", effective_pressure(BATH_LEVEL)), Param("ambient_concentration", BATH_LEVEL)),
+        (
+            parts.Param("ambient_pressure", parts.effective_pressure(BATH_LEVEL)),
+            parts.Param("ambient_concentration", BATH_LEVEL),
+        ),
     ),
 }

@@ -138,7 +138,6 @@ def _place_member(mesh: _Mesh, kind: str, member: Element, own: _Place) -> None:
 
 
 def _join(mesh: _Mesh, surface: Element) -> None:
-    """The facets of surfaces that a surface names."""
     facets = [
         deepcopy(facet)
         for tag in children(surface)
@@ -149,7 +148,6 @@ def _join(mesh: _Mesh, surface: Element) -> None:
 
 
 def _move(instance: Element) -> Move:
-    """Scales, turns and moves a point."""
     parts = (children(tag) if tag.tag == "transform" else (tag,) for tag in children(instance))  # format 3.0 has one
     found = {str(tag.tag): tag for part in parts for tag in part}
     scale = floats(found["scale"], 3) if "scale" in found else np.ones(3)

@@ -80,7 +80,6 @@ def _and(words: list[str]) -> str:
 
 
 def _centre(model: Model, side: Side) -> tuple[Array, float]:
-    """Centre and size of a side's body."""
     points = model.mesh.points[_body_nodes(model, side)]
     size = float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
     return points.mean(axis=0), size or 1.0

@@ -19,14 +19,11 @@ from harness.run.runner import RunResult
 from studies.models.joint import PERIOD
 from studies.pages.gallery.entries import Curves, Entry
 
-MODEL, PICTURE = "joint", "joint-cycle.png"
-"""The model, and the name of its animated PNG."""
+MODEL, PICTURE = "joint", "joint-cycle.png"  # the model, and the name of its animated PNG
 TITLE = "One cycle of the load: effective fluid pressure over the deformed bodies, and the force (animation)"
-SECONDS = 4.0
-"""The animation's own period."""
+SECONDS = 4.0  # the animation's own period
 DPI, COLOURS = 80, 128
-KILO = 1e3
-"""Pascals, of megapascals."""
+KILO = 1e3  # pascals, of megapascals
 
 
 @dataclass(frozen=True)

@@ -38,18 +38,12 @@ class Entry:
     """A model of the gallery."""
 
     title: str
-    start_here: str
-    """For which model of one's own it is a start, and what to change."""
-    whole: Builder
-    """Makes the one in models/."""
-    part: Builder
-    """Makes the same with fewer elements and steps, for the tests."""
-    section: Section
-    """The plane that is drawn."""
-    times: tuple[float, ...]
-    """Of the pictures, s."""
-    driven: tuple[str, str] | None = None
-    """Node set and reaction (Rx, Ry or Rz) whose sum is the force that is shown."""
+    start_here: str  # for which model of one's own it is a start, and what to change
+    whole: Builder  # makes the one in models/
+    part: Builder  # makes the same with fewer elements and steps, for the tests
+    section: Section  # the plane that is drawn
+    times: tuple[float, ...]  # of the pictures, s
+    driven: tuple[str, str] | None = None  # node set and reaction (Rx, Ry or Rz) whose sum is the force that is shown
 
     @cached_property
     def model(self) -> Model:
@@ -66,14 +60,11 @@ class Entry:
 class Curves:
     """What is drawn over time, each of shape (n_times,)."""
 
-    times: Array
-    """s."""
-    contents: dict[str, Array]
-    """Solute in each porous part, nmol."""
+    times: Array  # s
+    contents: dict[str, Array]  # solute in each porous part, nmol
     sides: dict[str, Array]
     """Mean effective concentration over the nodes of each contact surface whose material has the solute, mM."""
-    force: Array | None
-    """N, of the modelled part; compression is positive."""
+    force: Array | None  # N, of the modelled part; compression is positive
 
 
 UPRIGHT, MIRRORED = Section(across=0, up=2), Section(mirrored=True)

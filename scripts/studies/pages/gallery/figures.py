@@ -18,15 +18,13 @@ from harness.run.runner import RunResult
 from studies.pages.gallery.entries import Curves, Entry
 
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62", "#8d5aa8")
-STYLES = ("-", "--", ":")
-"""Of lines, so that they differ in grey, too."""
+STYLES = ("-", "--", ":")  # of lines, so that they differ in grey, too
 DPI = 110
 NAMES, LARGE = 11, 14
 """Points of text over bodies, and of titles and scales: a phone shows a picture at a third of its width."""
 BOX = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
 """Behind names, so that they are read on every colour, and in grey."""
-ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
-"""Lengths of a scale bar, mm."""
+ROUND = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)  # lengths of a scale bar, mm
 
 
 def draw(entry: Entry, result: RunResult, curves: Curves, folder: Path) -> list[Path]:
@@ -69,7 +67,6 @@ def draw_section(entry: Entry, result: RunResult, path: Path) -> Path:
 
 
 def _names(axes: Axes, mesh: Mesh, section: Section, positions: Array) -> None:
-    """The name of each part at its middle."""
     for part in mesh.parts:
         x, y = positions[np.unique(section.facets(mesh, part.elements))][:, [section.across, section.up]].T
         middle = 0.0 if section.mirrored else 0.5 * (x.min() + x.max())

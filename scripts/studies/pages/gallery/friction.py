@@ -18,8 +18,7 @@ FRACTIONS = (0.0, 0.1, 0.5)
 COLOURS = ("#0b5fa5", "#d1495b", "#2a7f62")
 MARKERS = ("o", "s", "^")
 DPI = 110
-SLIP = 0.99
-"""A facet counts as slipping where its friction reaches this part of the largest one."""
+SLIP = 0.99  # a facet counts as slipping where its friction reaches this part of the largest one
 PICTURES = {
     "friction-plate.png": "Effective friction coefficient over time: closed form (lines) and runs (marks)",
     "friction-joint.png": "Fluid pressure over the joint, and friction along the contact with its bound and stick zone",

@@ -27,8 +27,7 @@ class Record:
     steps: int
     iterations: int
     retries: int
-    cpu: float
-    """Processor time, s, one thread."""
+    cpu: float  # processor time, s, one thread
 
 
 @dataclass(frozen=True)
@@ -48,13 +47,7 @@ def record(result: RunResult) -> Record:
 
 
 def read(folder: Path) -> Results:
-    """What `write` wrote into `folder`.
-
-    Raises
-    ------
-    DataFileError
-        A missing file, or one that holds no such results.
-    """
+    """What `write` wrote into `folder`. Raises DataFileError: a missing file, or one that holds no such results."""
     path = folder / DATA
     try:
         data = json.loads(path.read_text())

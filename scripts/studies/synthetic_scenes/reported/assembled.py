@@ -34,8 +34,7 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.5)
-USUALLY = auto(1.0, NEAR)
-"""Parameters of a contact that a scene does not say otherwise."""
+USUALLY = auto(1.0, NEAR)  # parameters of a contact that a scene does not say otherwise
 TENSION = "<tension>1</tension>"
 _CONTROL = re.compile(r"<Control>.*?</Control>", re.DOTALL)
 _CONTACT = re.compile(r"<Contact>.*?</Contact>", re.DOTALL)
@@ -44,11 +43,6 @@ _CONTACT = re.compile(r"<Contact>.*?</Contact>", re.DOTALL)
 def cylinder(radius_: float, length: float, centre: tuple[float, float, float]) -> Place:
     """A tube along y, of a wall of 0.6 of its radius."""
     return shifted(turned(arc(0.4 * radius_, radius_, length), "x", 90.0), centre)
-
-
-def weight(density: float) -> str:
-    """Gravity, downwards, mm/s^2; `density` scales it."""
-    return f'<body_load type="body force"><force lc="1">0,0,{-9810.0 * density:g}</force></body_load>'
 
 
 class InTwoSteps(Sketch):

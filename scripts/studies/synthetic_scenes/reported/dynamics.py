@@ -21,10 +21,8 @@ from studies.synthetic_scenes.reported.words import (
     thrown,
 )
 
-USUALLY = auto(1.0, radius(0.5))
-"""Parameters of a contact that a scene does not say otherwise."""
-FAST = Scheme(40, 2.5e-6, "DYNAMIC")
-"""A wave crosses a millimetre in some 30 microseconds."""
+USUALLY = auto(1.0, radius(0.5))  # parameters of a contact that a scene does not say otherwise
+FAST = Scheme(40, 2.5e-6, "DYNAMIC")  # a wave crosses a millimetre in some 30 microseconds
 
 
 def impact(

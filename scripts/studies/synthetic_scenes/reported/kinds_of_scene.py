@@ -2,16 +2,7 @@
 
 from collections.abc import Mapping
 
-from studies.synthetic_scenes.reported import (
-    assembled,
-    dynamics,
-    outsides,
-    porous,
-    pressed,
-    rigid,
-    slides,
-    straps,
-)
+from studies.synthetic_scenes.reported import assembled, dynamics, outsides, porous, pressed, rigid, slides, straps
 from studies.synthetic_scenes.reported.sketch import Drawn
 
 SCENES: Mapping[str, Drawn] = {

@@ -30,8 +30,7 @@ from studies.synthetic_scenes.reported.words import (
 WET = "sliding-biphasic"
 SALTY = "sliding-biphasic-solute"
 NEAR = radius(0.5)
-USUALLY = auto(1.0, NEAR + fluid(1.0))
-"""Parameters of a contact that a scene does not say otherwise."""
+USUALLY = auto(1.0, NEAR + fluid(1.0))  # parameters of a contact that a scene does not say otherwise
 
 
 @dataclass(frozen=True)
@@ -144,10 +143,8 @@ SCENES: Mapping[str, Drawn] = {
 }
 
 
-GAS = 8.314e-6 * 298.0
-"""R T, mJ/nmol."""
-SALT = 100.0
-"""mM of either ion outside."""
+GAS = 8.314e-6 * 298.0  # R T, mJ/nmol
+SALT = 100.0  # mM of either ion outside
 IONS = "".join(
     f'<solute id="{n}" name="{name}"><charge_number>{charge}</charge_number><molar_mass>1</molar_mass>'
     "<density>1</density></solute>"

@@ -39,8 +39,7 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.5)
-USUALLY = auto(1.0, NEAR)
-"""Parameters of a contact that a scene does not say otherwise."""
+USUALLY = auto(1.0, NEAR)  # parameters of a contact that a scene does not say otherwise
 FIBRES = (
     "solid mixture",
     '<solid type="neo-Hookean"><density>1e-9</density><E>0.5</E><v>0.2</v></solid>'

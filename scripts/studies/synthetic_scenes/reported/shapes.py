@@ -14,8 +14,7 @@ from studies.models import assembly
 from studies.models.quadratic import ADDED
 from studies.synthetic_scenes.slab_and_block import FACES_OF, cut
 
-Place = Callable[[Nodes], Nodes]
-"""Positions (n, 3) in mm of points (n, 3) of the unit cube."""
+Place = Callable[[Nodes], Nodes]  # positions (n, 3) in mm of points (n, 3) of the unit cube
 Facets = list[tuple[int, ...]]
 Group = tuple[int, ...]
 
@@ -31,25 +30,20 @@ MIDDLES: Mapping[str, tuple[Group, ...]] = {
     "penta15": ADDED[15],
 }
 """By the type of element: the corners in whose middle each further node lies, in FEBio's order."""
-NEAR = 1e-9
-"""Tolerance for positions, mm, and in the unit cube."""
+NEAR = 1e-9  # tolerance for positions, mm, and in the unit cube
 
 
 @dataclass(frozen=True)
 class Shape:
     """A body."""
 
-    element: str
-    """FEBio's name of its elements."""
-    nodes: Nodes
-    """mm. Shape (n, 3)."""
-    elements: Facets
-    """Nodes of each element, from 0."""
+    element: str  # FEBio's name of its elements
+    nodes: Nodes  # mm. Shape (n, 3)
+    elements: Facets  # nodes of each element, from 0
     sides: Mapping[str, Facets] = field(default_factory=dict)
     """Facets of each side, nodes from 0: ``x0``, ``x1``, ... where a coordinate of the unit cube is 0 or 1, and
     ``outside``; of a shell ``face`` and ``back``, and its edges as lists of nodes."""
-    thickness: float = 0.0
-    """Of a shell, mm; 0 of a solid."""
+    thickness: float = 0.0  # of a shell, mm; 0 of a solid
 
 
 def grid(cells: Sequence[int]) -> Body:
@@ -93,7 +87,6 @@ def _with_middles(body: Body, element: str) -> tuple[Nodes, Facets]:
 
 
 def _is_right_handed(nodes: Nodes, element: str) -> bool:
-    """Whether the edges at the first corner of an element turn the right way."""
     along = (1, 3, 4) if element.startswith("hex") else (1, 2, 3)
     return bool(np.linalg.det(np.stack([nodes[k] - nodes[0] for k in along])) > 0.0)
 
@@ -168,14 +161,9 @@ def arc(
 ) -> Place:
     """A ring or part of one around the z axis, in the middle of `length`: x goes outwards, y around, z along.
 
-    Parameters
-    ----------
-    inner, outer, length : float
-        mm.
-    angles : tuple of float
-        Degrees from the x axis.
-    flare : float
-        By how much (mm) both radii grow from the first end to the last.
+    inner, outer, length: mm.
+    angles: degrees from the x axis.
+    flare: by how much (mm) both radii grow from the first end to the last.
     """
     begin, end = np.radians(angles)
 

@@ -10,20 +10,14 @@ from studies.models.small import Document, Scheme
 from studies.synthetic_scenes.reported.shapes import Shape
 
 Ramp = tuple[tuple[float, float], ...]
-UP: Ramp = ((0, 0), (1, 1))
-"""Rises from 0 to 1 s."""
-LATER: Ramp = ((0, 0), (1, 0), (2, 1))
-"""Rises from 1 to 2 s."""
-BACK: Ramp = ((0, 0), (1, 0), (1.5, 1), (2.5, -1), (3, 0))
-"""To and fro between 1 and 3 s."""
-AT_ONCE: Ramp = ((0, 0), (0.1, 1), (1, 1))
-"""Rises within the first tenth of a second."""
-CURVES = (UP, LATER, BACK, AT_ONCE)
-"""Load curves of every scene, numbered from 1."""
+UP: Ramp = ((0, 0), (1, 1))  # rises from 0 to 1 s
+LATER: Ramp = ((0, 0), (1, 0), (2, 1))  # rises from 1 to 2 s
+BACK: Ramp = ((0, 0), (1, 0), (1.5, 1), (2.5, -1), (3, 0))  # to and fro between 1 and 3 s
+AT_ONCE: Ramp = ((0, 0), (0.1, 1), (1, 1))  # rises within the first tenth of a second
+CURVES = (UP, LATER, BACK, AT_ONCE)  # load curves of every scene, numbered from 1
 
 
-USUAL = Scheme()
-"""Ten steps of full Newton iterations."""
+USUAL = Scheme()  # ten steps of full Newton iterations
 
 
 @dataclass(frozen=True)
@@ -42,15 +36,12 @@ class Sketch:
 
     bodies: Mapping[str, Shape]
     """Its sides are the surfaces and node sets ``<body>-<side>``; the node set ``<body>`` has all of its nodes."""
-    materials: Mapping[str, tuple[str, str]]
-    """By body: FEBio's type, and what is inside."""
+    materials: Mapping[str, tuple[str, str]]  # by body: FEBio's type, and what is inside
     contacts: Sequence[Touch]
-    conditions: Sequence[str] = ()
-    """Entries of the sections Boundary, Rigid, Loads, Initial and MeshAdaptor."""
+    conditions: Sequence[str] = ()  # entries of the sections Boundary, Rigid, Loads, Initial and MeshAdaptor
     scheme: Scheme = USUAL
     module: str = "solid"
-    globals: str = ""
-    """Solutes."""
+    globals: str = ""  # solutes
 
     def text(self) -> str:
         """The model as FEBio 4 XML."""
@@ -121,10 +112,8 @@ def _sets(body: str, shape: Shape, first: int) -> list[str]:
 class Drawn:
     """A scene that is drawn when it is written."""
 
-    about: str
-    """What it stands for."""
-    draw: Callable[[], Sketch | Document]
-    """Its model."""
+    about: str  # what it stands for
+    draw: Callable[[], Sketch | Document]  # its model
 
     def write(self, name: str, folder: Path) -> Path:
         """Write ``<name>.feb`` into `folder`, and return its path."""

@@ -28,8 +28,7 @@ from studies.synthetic_scenes.reported.words import (
 )
 
 NEAR = radius(0.3)
-USUALLY = auto(1.0, NEAR)
-"""Parameters of a contact of tubes that a scene does not say otherwise."""
+USUALLY = auto(1.0, NEAR)  # parameters of a contact of tubes that a scene does not say otherwise
 BFGS = Scheme(20, updates=10)
 
 
@@ -85,10 +84,7 @@ class Groove:
         secondary = "groove-x0" if self.primary == "cylinder-x1" else "cylinder-x1"
         material = biphasic() if self.porous else neo()
         return Sketch(
-            {
-                "groove": mapped(cells[0], groove, self.element),
-                "cylinder": mapped(cells[1], held, self.element),
-            },
+            {"groove": mapped(cells[0], groove, self.element), "cylinder": mapped(cells[1], held, self.element)},
             {"groove": material, "cylinder": material},
             (Touch(self.primary, secondary, self.kind, self.params),),
             (

@@ -9,12 +9,10 @@ from studies.synthetic_scenes.reported.sketch import Drawn, Sketch, Touch
 from studies.synthetic_scenes.reported.words import auto, given, hold, neo, press, push, radius, rigid, shift
 
 SKIN = neo(10.0)
-USUALLY = auto(1.0, radius(0.5))
-"""Parameters of a contact that a scene does not say otherwise."""
+USUALLY = auto(1.0, radius(0.5))  # parameters of a contact that a scene does not say otherwise
 
 
 def _bone(outer: float, x: float = 0.0) -> Shape:
-    """A rigid cylinder along y."""
     return mapped((2, 24, 3), shifted(turned(arc(0.5 * outer, outer, 3.0), "x", 90.0), (x, 0.0, 0.0)))
 
 
