@@ -9,10 +9,9 @@
 ///   one face with this c in any position. A cube on its corner has it on three faces.
 /// - The share is 0 up to c = 1/sqrt(5), where a side leans by half of its length. The sides of a soft block that is
 ///   pressed to half its height lean by 0.4.
-/// - The share grows smoothly in between, and no angle makes a pair appear or disappear abruptly. In these 9 degrees,
-/// the
-///   mean normal of the nodes on a contact edge turns from one side of the body to both. A narrower interval takes more
-///   iterations where an edge tilts under friction.
+/// - The share grows smoothly in between, and no angle makes a pair appear or disappear abruptly. Within these
+///   9 degrees, the mean normal of the nodes on a contact edge turns from one side of the body to both. A narrower
+///   interval takes more iterations where an edge tilts under friction.
 ///
 /// n1 and n2 are the normals in the middle of the two facets: a pair has one share.
 #pragma once
