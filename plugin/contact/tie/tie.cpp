@@ -114,6 +114,8 @@ Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nod
   }
   const int fields = effects_.scalar_fields();
   state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields), {}};
+  // The loads of cohesive bonds turn with the facets around a node.
+  if (!std::holds_alternative<Cohesive>(breaking_)) remove_uncoupled(nodes_);
   if (!may_break(breaking_)) return;
   find_normals(nodes_, mesh_[Side::primary]);
   state_.damage = DamageState(nodes_.count());
