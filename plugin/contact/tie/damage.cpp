@@ -23,7 +23,13 @@ struct Bond {
   Vector3d normal;  ///< unit normal out of the primary body
   /// Traction that the strength of a brittle bond limits [MPa], see judged_tractions().
   Vector3d traction;
-  double error = 0;  ///< largest relative error of the traction [-]
+  double error = 0;  ///< largest error of the traction [MPa]
+
+  /// The traction that is smaller by its error.
+  Vector3d certain_traction() const {
+    const double size = traction.norm();
+    return size > error ? Vector3d((1 - error / size) * traction) : Vector3d::Zero();
+  }
 };
 
 /// The mean tractions around the tied nodes of a brittle tie, which are the forces that it exerts with psi_a per area,
@@ -45,7 +51,7 @@ Matrix3Xd judged_tractions(const Tie& tie, const TieLoads& loads) {
 Advance advance(const Unbreakable& /*law*/, const Bond& /*bond*/) { return {0, {}, 0}; }
 
 Advance advance(const Brittle& law, const Bond& bond) {
-  if (bond.error >= 1 || !exceeds(law, (1 - bond.error) * bond.traction, bond.normal)) return {0, {}, 0};
+  if (!exceeds(law, bond.certain_traction(), bond.normal)) return {0, {}, 0};
   return {1, {0.5 * bond.loads.traction.col(bond.node).dot(bond.loads.gap.col(bond.node)), 0}, 0};
 }
 
