@@ -37,7 +37,7 @@ void archive_entry(DumpStream& ar, TiedNode& tied) {
   archive_list(ar, tied.fields);
   archive(ar, tied.primary_shares);
   archive(ar, tied.secondary_shares);
-  archive(ar, static_cast<std::vector<int>&>(tied.facets));
+  for (IndexedVector<int>& of_side : tied.facets) archive(ar, static_cast<std::vector<int>&>(of_side));
   archive_list(ar, tied.gaps);
 }
 

@@ -122,6 +122,10 @@ MatrixXd gap_hessian(const TiedNode& tied, const FacingPositions& x, const Vecto
 
 Vector3d normal_of(const TiedNode& tied, const FacingPositions& x) { return normal_at(tied.corners, x.primary).normal; }
 
+Vector3d faced_normal(const TiedNode& tied, const FacingPositions& x) {
+  return -normal_at(tied.faced, x.secondary).normal;
+}
+
 Matrix3Xd normal_variation(const TiedNode& tied, const FacingPositions& x) {
   Matrix3Xd variation = Matrix3Xd::Zero(3, 3 * tied.count());
   add_variation(tied, normal_at(tied.corners, x.primary), 1, variation);

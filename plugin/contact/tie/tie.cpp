@@ -99,6 +99,21 @@ MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieL
   return stiffness;
 }
 
+/// Removes nodes that do not affect the loads, and finds the facets whose normal the law requires.
+void prepare(IndexedVector<TiedNode>& nodes, const Unbreakable& /*law*/, const PerSide<SurfaceMesh>& /*mesh*/) {
+  remove_uncoupled(nodes);
+}
+
+void prepare(IndexedVector<TiedNode>& nodes, const Brittle& /*law*/, const PerSide<SurfaceMesh>& mesh) {
+  remove_uncoupled(nodes);
+  find_faced_normals(nodes, mesh[Side::secondary]);
+}
+
+/// The loads of cohesive bonds depend on all nodes of the facets around them, because they turn with the normal.
+void prepare(IndexedVector<TiedNode>& nodes, const Cohesive& /*law*/, const PerSide<SurfaceMesh>& mesh) {
+  find_normals(nodes, mesh[Side::primary]);
+}
+
 }  // namespace
 
 Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking)
@@ -114,11 +129,8 @@ Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nod
   }
   const int fields = effects_.scalar_fields();
   state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields), {}};
-  // The loads of cohesive bonds turn with the facets around a node.
-  if (!std::holds_alternative<Cohesive>(breaking_)) remove_uncoupled(nodes_);
-  if (!may_break(breaking_)) return;
-  find_normals(nodes_, mesh_[Side::primary]);
-  state_.damage = DamageState(nodes_.count());
+  std::visit([&](const auto& law) { prepare(nodes_, law, mesh_); }, breaking_);
+  if (may_break(breaking_)) state_.damage = DamageState(nodes_.count());
 }
 
 void Tie::set_laws(const Settings& settings, const std::optional<BreakingLaw>& breaking) {

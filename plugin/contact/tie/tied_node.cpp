@@ -55,7 +55,7 @@ struct SumsOfNode {
   /// Integrals of psi_b over the nodes b of both surfaces: of the primary one times the share of the node in the load,
   /// of the secondary one times psi_a.
   PerSide<Weights> areas;
-  IndexedVector<int> facets;
+  PerSide<IndexedVector<int>> facets;
   IndexedVector<GapOfPoint> gaps;
 };
 
@@ -145,7 +145,8 @@ void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Mat
       const double share = point.area * psi[a];
       if (share == 0) continue;
       SumsOfNode& sums = nodes[one.node(a)];
-      merge_unique(sums.facets, std::array<int, 1>{pair.primary});
+      merge_unique(sums.facets[Side::primary], std::array<int, 1>{pair.primary});
+      merge_unique(sums.facets[Side::secondary], std::array<int, 1>{pair.secondary});
       sums.all.add(share, one, two, point.kinematics);
       for (const int field : fields) sums.fields[field].add(share, one, two, point.kinematics);
       const double share_of_load = point.area * point.psi[Side::primary][a];
@@ -284,10 +285,20 @@ void remove_uncoupled(IndexedVector<TiedNode>& nodes) {
 void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary) {
   for (TiedNode& tied : nodes) {
     tied.corners.clear();
-    for (const int number : tied.facets) {
+    for (const int number : tied.facets[Side::primary]) {
       const Facet& facet = primary.facets[number];
-      tied.corners.push_back(
-          place_on(facet, gradient_at_node(facet.type, indexing::as_int(number_in(facet, tied.node)))));
+      const int corner = indexing::as_int(number_in(facet, tied.node));
+      tied.corners.push_back(place_on(facet, gradient_at_node(facet.type, corner)));
+    }
+  }
+}
+
+void find_faced_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& secondary) {
+  for (TiedNode& tied : nodes) {
+    tied.faced.clear();
+    for (const int number : tied.facets[Side::secondary]) {
+      const Facet& facet = secondary.facets[number];
+      tied.faced.push_back(place_on(facet, shape_functions(facet.type, parametric_centre(facet.type)).gradient));
     }
   }
 }

@@ -18,9 +18,9 @@ struct TiedAverage {
   bool exists() const { return area > 0; }
 };
 
-/// A point on a primary facet at which the normal is computed.
+/// A point on a facet at which the normal is computed.
 struct PlaceOnFacet {
-  IndexedVector<int> nodes;  ///< nodes of the facet, indices on the primary surface
+  IndexedVector<int> nodes;  ///< nodes of the facet, indices on its surface
   FacetGradient gradient;    ///< gradients of their shape functions at the point
 };
 
@@ -43,11 +43,13 @@ struct TiedNode {
   /// Means of the functions psi_b of the primary nodes, weighted with the share of the node in the load of its surface;
   /// they add up to one.
   VectorXd primary_shares;
-  VectorXd secondary_shares;    ///< fractions of the node's area that belong to the secondary nodes; they add up to one
-  IndexedVector<int> facets;    ///< primary facets over which the node is averaged, ascending
-  IndexedVector<KeptGap> gaps;  ///< kept gaps of the points; empty if the surfaces touch
-  /// The node as a point of each facet around it, for its normal; empty if no law requires the normal.
+  VectorXd secondary_shares;  ///< fractions of the node's area that belong to the secondary nodes; they add up to one
+  PerSide<IndexedVector<int>> facets;  ///< facets of both surfaces over which the node is averaged
+  IndexedVector<KeptGap> gaps;         ///< kept gaps of the points; empty if the surfaces touch
+  /// The node as a point of each primary facet around it, for its normal; empty if no law requires this normal.
   IndexedVector<PlaceOnFacet> corners;
+  /// The middles of the secondary facets around it, for their normal; empty if no law requires this normal.
+  IndexedVector<PlaceOnFacet> faced;
 
   Index count() const { return primary.count() + secondary.count(); }
   bool exchanges(int field) const { return fields[field].exists(); }
@@ -78,6 +80,8 @@ void remove_uncoupled(IndexedVector<TiedNode>& nodes);
 
 /// Sets TiedNode::corners: the facets around each tied node, from which its normal is computed.
 void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary);
+/// Sets TiedNode::faced: the facets that each tied node faces, from which their normal is computed.
+void find_faced_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& secondary);
 
 /// Counts the nodes of the primary surface that are not tied.
 UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh,
