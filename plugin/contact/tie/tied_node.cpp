@@ -105,15 +105,13 @@ bool has_dual_functions(const MortarSpace& space, int facet, const Coverage& cov
   return part.minCoeff() >= least_covered * part.maxCoeff();
 }
 
-/// Per primary facet, the matrix C of its functions: the functions of the averages are the sums of C_ab psi_b, with
-/// psi_b of sliding contact; empty for a facet without pairs.
-IndexedVector<MatrixXd> functions_of_facets(const MortarSpace& space, const PerSide<Matrix3Xd>& x) {
-  const IndexedVector<Facet>& facets = space.facing().primary().facets;
-  IndexedVector<Coverage> covered(facets.count());
+/// The integrals over the covered parts of all primary facets.
+IndexedVector<Coverage> coverage(const MortarSpace& space, const PerSide<Matrix3Xd>& x) {
+  IndexedVector<Coverage> covered(space.facing().primary().facets.count());
   for (const FacetPair& pair : space.facing().pairs()) {
     Coverage& facet = covered[pair.primary];
     IndexedVector<int> fields = space.facing().exchanged_fields(pair);
-    const Index count = facets[pair.primary].count();
+    const Index count = space.facing().primary_facet(pair).count();
     if (facet.mass.size() == 0) facet = {MatrixXd::Zero(count, count), fields, true};
     facet.is_uniform = facet.is_uniform && facet.fields == fields;
     for (const IntegrationPoint& place : space.facing().points(pair)) {
@@ -121,11 +119,20 @@ IndexedVector<MatrixXd> functions_of_facets(const MortarSpace& space, const PerS
       facet.mass += point.area * point.psi[Side::primary] * point.psi[Side::primary].transpose();
     }
   }
-  IndexedVector<MatrixXd> functions(facets.count());
-  for (int facet = 0; facet < facets.count(); ++facet) {
+  return covered;
+}
+
+/// Per primary facet, the matrix C of its functions: the functions of the averages are the sums of C_ab psi_b, with
+/// psi_b of sliding contact; empty for a facet without pairs.
+IndexedVector<MatrixXd> functions_of_facets(const MortarSpace& space, const PerSide<Matrix3Xd>& x,
+                                            const BreakingLaw& breaking) {
+  const IndexedVector<Coverage> covered = coverage(space, x);
+  const bool may_be_dual = !std::holds_alternative<Cohesive>(breaking);
+  IndexedVector<MatrixXd> functions;
+  for (int facet = 0; facet < covered.count(); ++facet) {
     const MatrixXd& mass = covered[facet].mass;
-    functions[facet] = MatrixXd::Identity(mass.rows(), mass.cols());
-    if (mass.size() > 0 && has_dual_functions(space, facet, covered[facet], x[Side::primary]))
+    functions.emplace_back(MatrixXd::Identity(mass.rows(), mass.cols()));
+    if (may_be_dual && mass.size() > 0 && has_dual_functions(space, facet, covered[facet], x[Side::primary]))
       functions[facet] = mass.rowwise().sum().asDiagonal() * mass.inverse();
   }
   return functions;
@@ -259,7 +266,8 @@ IndexedVector<std::optional<SurfaceHit>> hits_at_any_distance(const PerSide<Surf
 }  // namespace
 
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
-                                        const Settings& settings, const PerSide<Matrix3Xd>& reference) {
+                                        const Settings& settings, const PerSide<Matrix3Xd>& reference,
+                                        const BreakingLaw& breaking) {
   const FacingPositions x = seen_from(Side::primary, reference);
   MortarSpace space(mesh[Side::primary], mesh[Side::secondary], effects, settings);
   space.change_facing().search(x, reach_of(settings, x));
@@ -267,7 +275,7 @@ IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const 
   SumsOfNode empty;
   empty.fields.resize(indexing::entries(effects.scalar_fields()));
   IndexedVector<SumsOfNode> sums(mesh[Side::primary].nodes, empty);
-  const IndexedVector<MatrixXd> functions = functions_of_facets(space, reference);
+  const IndexedVector<MatrixXd> functions = functions_of_facets(space, reference, breaking);
   for (const FacetPair& pair : space.facing().pairs()) add_pair(space, pair, reference, functions[pair.primary], sums);
   IndexedVector<TiedNode> tied;
   for (int node = 0; node < mesh[Side::primary].nodes; ++node) {

@@ -5,6 +5,7 @@
 #include "base/patch.h"
 #include "base/settings.h"
 #include "geometry/surface.h"
+#include "tie/breaking.h"
 
 namespace mixture_contact {
 
@@ -71,9 +72,12 @@ struct UntiedNodes {
 /// On linear facets that the other surface covers, psi_a are the dual functions of the shape functions: INT psi_a N_b
 /// dA is zero for two nodes a and b (Wohlmuth 2000, SIAM J Numer Anal 38:989-1012; integrated over the covered part:
 /// Cichosz and Bischoff 2011, Comput Methods Appl Mech Eng 200:1317-1332). An average then contains a single primary
-/// node, and on matching meshes a single secondary node. On other facets, psi_a are those of sliding contact.
+/// node, and on matching meshes a single secondary node. On other facets, psi_a are those of sliding contact. They are
+/// also those of cohesive bonds: neighbouring bonds then soften together, and the load of a crack varies less from node
+/// to node.
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
-                                        const Settings& settings, const PerSide<Matrix3Xd>& reference);
+                                        const Settings& settings, const PerSide<Matrix3Xd>& reference,
+                                        const BreakingLaw& breaking = Unbreakable());
 
 /// Removes nodes without weight from the averages, except those of kept gaps.
 void remove_uncoupled(IndexedVector<TiedNode>& nodes);

@@ -87,7 +87,11 @@ struct Turning {
   /// The tractions of the bonds on the left and on the right.
   Eigen::Vector2d tractions(const Eigen::Vector2d& openings) {
     Matrix3Xd& place = tied.scene.fields[Side::secondary].position;
-    for (Index n = 0; n < start.cols(); ++n) place(2, n) = start(2, n) + openings[start(0, n) > middle ? 1 : 0];
+    // A nodal average has two thirds of the opening at the node itself and one third of that on the other side.
+    for (Index n = 0; n < start.cols(); ++n) {
+      const Index side = start(0, n) > middle ? 1 : 0;
+      place(2, n) = start(2, n) + 2 * openings[side] - openings[1 - side];
+    }
     const TieLoads loads = tied.tie->loads(tied.scene.fields);
     Eigen::Vector2d found;
     for (Index n = 0; n < tied.tie->nodes().count(); ++n) {

@@ -125,6 +125,15 @@ BOOST_AUTO_TEST_CASE(averages_over_covered_linear_facets_contain_a_single_primar
   }
 }
 
+BOOST_AUTO_TEST_CASE(averages_of_cohesive_bonds_are_those_of_sliding_contact) {
+  const TiedScene tied(FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {2, 2},
+                       Cohesive{{{0.01, 0.02}, 2}, {0.002, 0.003}});
+  for (const TiedNode& node : tied.tie->nodes()) {
+    BOOST_TEST(node.traction.weights.head(node.primary.count()).maxCoeff() < 0);
+    BOOST_TEST(node.traction.weights.tail(node.secondary.count()).minCoeff() > 0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(averages_over_matching_linear_facets_contain_a_single_node_of_each_surface) {
   const TiedScene tied(FacetType::quad4, FacetType::quad4, 0, Enforcement::penalty, {3, 3});
   for (const TiedNode& node : tied.tie->nodes()) {
