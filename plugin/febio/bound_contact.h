@@ -43,7 +43,7 @@ class BoundContact : public mixture_contact::SteppedContact {
   /// The owner; null if the contact is in the model file itself.
   ContactOwner* owner() const { return owner_; }
   bool has_bonds() const override { return owner_ != nullptr; }
-  bool breaks_bonds(double error) override { return owner_ != nullptr && owner_->breaks_bonds(error); }
+  bool breaks_bonds(double left) override { return owner_ != nullptr && owner_->breaks_bonds(left); }
   void project() override;
   void prepare_step() override;
   void note_beginning() override;

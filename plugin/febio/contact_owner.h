@@ -17,9 +17,9 @@ class ContactOwner {
 
   /// Sets the parameters of the contact to their present values.
   virtual void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) = 0;
-  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
-  /// breaks.
-  virtual bool breaks_bonds(double error) = 0;
+  /// Breaks bonds at a state. `left`: fraction of the change of their loads in the last iteration by which iterations
+  /// may still change them, 0 at a solution [-]. Returns true if any breaks.
+  virtual bool breaks_bonds(double left) = 0;
   /// Called after a time step has been solved and accepted by the contact.
   virtual void step_solved() = 0;
   /// True if bonds have softened in the present attempt at a time step.

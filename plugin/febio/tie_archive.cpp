@@ -17,11 +17,7 @@ void archive_entry(DumpStream& ar, TiedAverage& average) {
 }
 
 void archive_entry(DumpStream& ar, PlaceOnFacet& place) {
-  VectorXd numbers(place.places.count());
-  for (Index n = 0; n < numbers.size(); ++n) numbers[n] = static_cast<double>(place.places[n]);
-  archive(ar, numbers);
-  place.places.assign(indexing::entries(numbers.size()), 0);
-  for (Index n = 0; n < numbers.size(); ++n) place.places[n] = static_cast<Index>(numbers[n]);
+  archive(ar, static_cast<std::vector<int>&>(place.nodes));
   archive(ar, place.gradient);
 }
 
@@ -41,6 +37,7 @@ void archive_entry(DumpStream& ar, TiedNode& tied) {
   archive_list(ar, tied.fields);
   archive(ar, tied.primary_shares);
   archive(ar, tied.secondary_shares);
+  for (IndexedVector<int>& of_side : tied.facets) archive(ar, static_cast<std::vector<int>&>(of_side));
   archive_list(ar, tied.gaps);
 }
 

@@ -75,7 +75,7 @@ std::unique_ptr<Tie> TieSetup::build() const {
   PerSide<SurfaceMesh> mesh = meshes(*found, *exchanged);
   const PerSide<Matrix3Xd> reference = surfaces().positions();
   const Settings chosen = settings();
-  IndexedVector<TiedNode> nodes = find_tied_nodes(mesh, *exchanged, chosen, reference);
+  IndexedVector<TiedNode> nodes = find_tied_nodes(mesh, *exchanged, chosen, reference, breaking());
   if (nodes.empty()) {
     log_.error("no node of the primary surface \"" + surfaces().names()[Side::primary] + "\" faces \"" +
                surfaces().names()[Side::secondary] +

@@ -143,6 +143,7 @@ void FEMixtureTie::update_laws() {
 void FEMixtureTie::PrepStep() {
   update_laws();
   step_start_ = tie_->unknowns();
+  tractions_ = tie_->loads(fields()).traction;
   iterations_ = {};
 }
 
@@ -183,14 +184,17 @@ bool FEMixtureTie::Augment(int augmentation, const FETimeInfo& /*time*/) {
   return outcome.done;
 }
 
-bool FEMixtureTie::breaks_bonds(double error) {
+bool FEMixtureTie::breaks_bonds(double left) {
   if (!std::holds_alternative<Brittle>(tie_->breaking())) return false;
   // An augmentation changes the loads. Only its last solution decides; without augmentations, each iteration does.
   const bool augments = tie_->settings().enforcement == Enforcement::augmented_lagrangian;
-  const bool is_at_solution = error == 0;
+  const bool is_at_solution = left == 0;
   if (is_at_solution ? !is_augmented_ : augments) return false;
+  const PerSide<SurfaceFields> now = fields();
+  const Matrix3Xd change = tie_->loads(now).traction - tractions_;
   const Index before = broken_nodes(*tie_);
-  take_damage(damage_after(*tie_, fields(), CurrentTime(), error));
+  take_damage(damage_after(*tie_, now, CurrentTime(), left * change.colwise().norm().maxCoeff()));
+  tractions_ = tie_->loads(now).traction;  // without those of the nodes that break
   const Index broken = broken_nodes(*tie_) - before;
   if (broken > 0)
     log_.line(log_.title() + ": " + std::to_string(broken) + " nodes break, and the iterations continue.");

@@ -38,7 +38,7 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   bool UseNodalIntegration() override { return false; }
 
   void give_parameters(ContactParameters& parameters, AmbientConcentrations& ambient) override;
-  bool breaks_bonds(double error) override;
+  bool breaks_bonds(double left) override;
   void step_solved() override;
   bool is_softening() const override { return iterations_.is_any_softening(); }
   void step_failed() override;
@@ -64,7 +64,8 @@ class FEMixtureTie : public FEContactInterface, public ContactOwner {
   std::unique_ptr<mixture_contact::Tie> tie_;
   /// Sliding contact of broken nodes, owned by the model; null if no node can break.
   FESurfacePairConstraint* sliding_ = nullptr;
-  bool is_augmented_ = true;                    ///< true if no augmentation is needed at the last solution
+  bool is_augmented_ = true;              ///< true if no augmentation is needed at the last solution
+  mixture_contact::Matrix3Xd tractions_;  ///< tractions of the tied nodes at the start of the last iteration [MPa]
   mixture_contact::BondIterations iterations_;  ///< softening in the iterations of the step
   mixture_contact::VectorXd step_start_;        ///< unknown multipliers at the start of the step
 

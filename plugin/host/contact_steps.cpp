@@ -114,8 +114,8 @@ void ContactSteps::start_at_prediction() {
 bool ContactSteps::breaks_bonds() {
   bool any = false;
   for (SteppedContact* contact : model_.active_contacts()) {
-    // The next iteration changes a load by about the same fraction of the last change that is left of the residual. The
-    // last change is at most twice a load that exceeds its strength.
+    // The next iteration changes loads by about the same fraction of the last change that is left of the residual. If
+    // later ones do as well, and the fraction is below a half, the sum of all changes is at most twice as large.
     if (contact->has_bonds()) any = contact->breaks_bonds(2 * helpers_.residual_left()) || any;
   }
   return any;

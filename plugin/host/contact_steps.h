@@ -45,9 +45,9 @@ class SteppedContact : public Polymorphic {
   virtual bool reconsiders_edge() { return mixture_contact::reconsiders_edge(core(), fields()); }
   /// True if bonds hold the surfaces, which breaks_bonds() may break.
   virtual bool has_bonds() const { return false; }
-  /// Breaks bonds at a state. `error`: largest relative error of their loads, 0 at a solution [-]. Returns true if any
-  /// breaks; iterations then begin again at this state.
-  virtual bool breaks_bonds(double /*error*/) { return false; }
+  /// Breaks bonds at a state. `left`: fraction of the change of their loads in the last iteration by which iterations
+  /// may still change them, 0 at a solution [-]. Returns true if any breaks; iterations then begin again at this state.
+  virtual bool breaks_bonds(double /*left*/) { return false; }
   /// True if overlaps that are detected at a converged state change the loads.
   virtual bool finds_overlap();
 

@@ -34,7 +34,7 @@ struct TiedScene {
     scene.settings.solvent = {false, 3};
     scene.settings.solute = {false, 5};
     tie = std::make_unique<Tie>(scene.mesh, scene.effects,
-                                find_tied_nodes(scene.mesh, scene.effects, scene.settings, scene.position()), law);
+                                find_tied_nodes(scene.mesh, scene.effects, scene.settings, scene.position(), law), law);
     tie->set_laws(scene.settings);
   }
 

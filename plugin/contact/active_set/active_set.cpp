@@ -67,6 +67,17 @@ VectorXd friction_bands(const ActiveSetOptions& options, const NodalLaws& laws, 
   return bands;
 }
 
+/// FrictionStatus::rubs of ActiveSet::updated_friction().
+NodeFlags updated_rubs(const NodalLaws& laws, const NodalLoads& predicted, const VectorXd& bands) {
+  NodeFlags rubs = predicted.rubs;
+  for (Index node = 0; node < rubs.count(); ++node) {
+    if (!predicted.in_contact[node]) continue;
+    const double bound = rubbing(laws, predicted, node);
+    if (std::abs(bound) > bands[node]) rubs[node] = bound > 0;
+  }
+  return rubs;
+}
+
 }  // namespace
 
 NodeFlags ActiveSet::initial(const NodalLaws& laws, const NodalGaps& now) const {
@@ -179,9 +190,8 @@ FrictionStatus initial_friction(const NodalLaws& laws, const NodalLoads& now) {
   return status;
 }
 
-NodeFlags ActiveSet::updated_slips(const NodalLaws& laws, const NodalLoads& predicted) const {
+NodeFlags ActiveSet::updated_slips(const NodalLaws& laws, const NodalLoads& predicted, const VectorXd& bands) const {
   NodeFlags slips = predicted.slips;
-  const VectorXd bands = friction_bands(options_, laws, predicted, slip_changes_);
   for (Index node = 0; node < slips.count(); ++node) {
     if (!predicted.in_contact[node]) continue;
     const bool pulled = !laws.normal().stays(predicted.traction[node], 0);
@@ -199,19 +209,9 @@ NodeFlags ActiveSet::updated_slips(const NodalLaws& laws, const NodalLoads& pred
   return slips;
 }
 
-NodeFlags ActiveSet::updated_rubs(const NodalLaws& laws, const NodalLoads& predicted) const {
-  NodeFlags rubs = predicted.rubs;
-  const VectorXd bands = friction_bands(options_, laws, predicted, slip_changes_);
-  for (Index node = 0; node < rubs.count(); ++node) {
-    if (!predicted.in_contact[node]) continue;
-    const double bound = rubbing(laws, predicted, node);
-    if (std::abs(bound) > bands[node]) rubs[node] = bound > 0;
-  }
-  return rubs;
-}
-
 FrictionStatus ActiveSet::updated_friction(const NodalLaws& laws, const NodalLoads& predicted) const {
-  return {updated_slips(laws, predicted), updated_rubs(laws, predicted)};
+  const VectorXd bands = friction_bands(options_, laws, predicted, slip_changes_);
+  return {updated_slips(laws, predicted, bands), updated_rubs(laws, predicted, bands)};
 }
 
 bool ActiveSet::turns_round(const NodalLaws& laws, const NodalLoads& predicted, Index node) const {
@@ -224,12 +224,13 @@ bool ActiveSet::turns_round(const NodalLaws& laws, const NodalLoads& predicted, 
 FrictionStatus ActiveSet::next_friction(const NodalLaws& laws, const NodalLoads& predicted, const NodalLoads& now) {
   const FrictionStatus own = own_friction(laws, now);
   const NodeFlags before = with_known(own.slips, predicted.slips, predicted, now);
-  NodeFlags slips = with_known(own.slips, updated_slips(laws, predicted), predicted, now);
+  const FrictionStatus updated = updated_friction(laws, predicted);
+  NodeFlags slips = with_known(own.slips, updated.slips, predicted, now);
   slips = with_first_repeated(before, std::move(slips), slip_changes_, options_.most_joint_changes);
   for (Index node = 0; node < slips.count(); ++node) {
     if (slips[node] != before[node] || (slips[node] && slides_back(predicted, node))) ++slip_changes_[node];
   }
-  return {std::move(slips), with_known(own.rubs, updated_rubs(laws, predicted), predicted, now)};
+  return {std::move(slips), with_known(own.rubs, updated.rubs, predicted, now)};
 }
 
 FrictionStatus moved_friction(const NodalLaws& laws, const NodalLoads& last, const NodalLoads& now) {

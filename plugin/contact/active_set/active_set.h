@@ -136,10 +136,8 @@ class ActiveSet {
 
  private:
   bool may_close(Index node) const { return !restriction_ || (*restriction_)[node]; }
-  /// FrictionStatus::slips of updated_friction().
-  NodeFlags updated_slips(const NodalLaws& laws, const NodalLoads& predicted) const;
-  /// FrictionStatus::rubs of updated_friction().
-  NodeFlags updated_rubs(const NodalLaws& laws, const NodalLoads& predicted) const;
+  /// FrictionStatus::slips of updated_friction(). `bands`: half-widths of the friction bands of the nodes [MPa].
+  NodeFlags updated_slips(const NodalLaws& laws, const NodalLoads& predicted, const VectorXd& bands) const;
   /// True if the slip of a node reverses without sticking first: with the stiffness of the adjoining elements, reversed
   /// friction could not hold the node. It is true once in a step; a node that should stick does so in the next
   /// iteration.

@@ -42,8 +42,6 @@ struct Effects {
   FrictionKind acting_friction() const { return traction ? friction_kind : FrictionKind::none; }
   /// The fields on which the friction bound depends in the present step: the fluid pressure, or none.
   FieldMask bearing_fields() const { return traction && reads_fluid() ? only(pressure_field()) : FieldMask{0}; }
-  /// True if fully covered pairs of flat facets are integrated by their moments. Friction integrates point by point.
-  bool integrates_moments() const { return traction && friction_kind == FrictionKind::none; }
   /// True if the friction law reads the fluid pressure.
   bool reads_fluid() const { return friction_kind == FrictionKind::on_solid_part; }
   /// Index of the fluid pressure among the nodal fields: the exchanged field, or an additional one that only friction

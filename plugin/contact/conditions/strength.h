@@ -40,7 +40,7 @@ struct Brittle {
 };
 
 /// True if a traction exceeds the strength: (<t_n>/sigma_c)^2 + (t_s/tau_c)^2 > 1. Compression does not contribute.
-/// `normal`: unit normal.
+/// `normal`: unit normal of the secondary surface, as in FEBio's `sticky`.
 inline bool exceeds(const Brittle& bond, const Vector3d& traction, const Vector3d& normal) {
   const double tension = std::max(0.0, traction.dot(normal)) / bond.strength.normal;
   const double shear = (traction - traction.dot(normal) * normal).norm() / bond.strength.shear;

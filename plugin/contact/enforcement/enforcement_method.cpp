@@ -1,6 +1,6 @@
 #include "enforcement/enforcement_method.h"
 
-#include "enforcement/penalty_method.h"
+#include "enforcement/friction_penalty.h"
 #include "enforcement/unknown_multipliers.h"
 
 #include <utility>
@@ -9,8 +9,7 @@ namespace mixture_contact {
 
 std::unique_ptr<EnforcementMethod> enforcement_method(Enforcement enforcement, FrictionKind friction) {
   if (enforcement == Enforcement::lagrange_multipliers) return std::make_unique<UnknownMultipliers>();
-  return by_friction<std::unique_ptr<EnforcementMethod>>(
-      friction, [] { return std::make_unique<PenaltyMethod>(); }, [] { return std::make_unique<FrictionPenalty>(); });
+  return penalty_method(friction);
 }
 
 Patch flux_columns(const PassNodes& at, const Patch& patch, int field) {

@@ -27,15 +27,4 @@ class PenaltyMethod : public EnforcementMethod {
                                     const NodalLoads& loads, ScopedTimer& laps, NodeTangent& tangent) const;
 };
 
-/// The method of a contact with friction. The load of a node is a vector, whose tangent is no product of two vectors.
-class FrictionPenalty final : public PenaltyMethod {
- public:
-  bool is_linear() const override { return false; }
-  bool has_load_blocks() const override { return false; }
-
- protected:
-  void add_traction_tangent(const PassNodes& at, Index node, const NodeLinearisation& linear, const NodalLoads& loads,
-                            ScopedTimer& laps, NodeTangent& tangent) const override;
-};
-
 }  // namespace mixture_contact

@@ -32,10 +32,11 @@ IndexedVector<Index> first_points(const IndexedVector<FacetPair>& pairs, const C
 }  // namespace
 
 FacingPairs::FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
-                         const Settings& settings)
+                         const Settings& settings, FlatIntegrals integrals)
     : primary_(primary),
       secondary_(secondary),
       effects_(effects),
+      integrals_(integrals),
       finder_(point_finder(primary, secondary, settings)) {}
 
 void FacingPairs::search(const FacingPositions& x, const Reach& reach) {

@@ -16,13 +16,19 @@ inline Index number_of(const FacetPair& pair, const IndexedVector<FacetPair>& pa
   return std::distance(pairs.data(), &pair);
 }
 
+/// The integrals over a fully covered pair of flat facets on which averages depend.
+enum class FlatIntegrals : std::uint8_t {
+  moments,  ///< the moments of FlatPair
+  points    ///< sums over points, of functions that have no such moments
+};
+
 /// The pairs of facing facets between a primary and a secondary surface, their integration points, and the kinematics
 /// at the positions of the last search or projection.
 class FacingPairs {
  public:
   /// Keeps references to both meshes and to the effects.
   FacingPairs(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
-              const Settings& settings);
+              const Settings& settings, FlatIntegrals integrals);
 
   /// Finds all pairs of facets that face each other within reach, and their integration points. Each point is paired
   /// with the nearest facing facet.
@@ -81,8 +87,8 @@ class FacingPairs {
   const PointKinematics& kinematics(const FacetPair& pair, Index point) const {
     return kinematics_[first_kept_[number_of(pair, pairs())] + point];
   }
-  /// The moments of a fully covered pair of flat facets. Null for any other pair, and for every pair of a contact with
-  /// friction, which integrates point by point.
+  /// The moments of a fully covered pair of flat facets. Null for any other pair, and for every pair of a contact whose
+  /// averages need sums over points.
   const FlatPair* flat(const FacetPair& pair) const {
     return has_moments(pair) ? &flat_[number_of(pair, pairs())] : nullptr;
   }
@@ -92,7 +98,9 @@ class FacingPairs {
   /// Takes over the pairs that a search or a projection at positions x found, and evaluates them.
   void keep(FacetPairs found, const FacingPositions& x);
   /// True if the pair is integrated by moments (FlatPair) and not point by point.
-  bool has_moments(const FacetPair& pair) const { return pair.unbroken && effects_.integrates_moments(); }
+  bool has_moments(const FacetPair& pair) const {
+    return pair.unbroken && effects_.traction && integrals_ == FlatIntegrals::moments;
+  }
   /// Evaluates the moments of a pair, or the kinematics of its points.
   void evaluate(const FacetPair& pair, const FacingPositions& x);
   void evaluate_all(const FacingPositions& x);
@@ -100,6 +108,7 @@ class FacingPairs {
   const SurfaceMesh& primary_;
   const SurfaceMesh& secondary_;
   const Effects& effects_;
+  FlatIntegrals integrals_;
   std::unique_ptr<PointFinder> finder_;
   FacetPairs found_;
   IndexedVector<PointKinematics> kinematics_;  ///< kinematics of the points of all pairs without moments

@@ -18,6 +18,12 @@ VectorXd status_of(const VectorXd& slips, const VectorXd& areas) {
 
 }  // namespace
 
+std::unique_ptr<OutputRows> output_rows(const NodalLaws& laws, const NodalLoads& loads) {
+  return by_friction<std::unique_ptr<OutputRows>>(
+      laws.effects().acting_friction(), [&] { return std::make_unique<OutputRows>(laws.effects().scalar_fields()); },
+      [&] { return std::make_unique<FrictionRows>(laws, loads); });
+}
+
 FrictionRows::FrictionRows(const NodalLaws& laws, const NodalLoads& loads)
     : OutputRows(laws.effects().scalar_fields()),
       slip_(Matrix3Xd::Zero(3, laws.nodes())),

@@ -1,4 +1,4 @@
-/// The rows of friction in the output of a pass.
+/// The rows of friction in the output of a pass, and the choice between the rows with and without friction.
 #pragma once
 
 #include "interface/output_sums.h"
@@ -36,5 +36,8 @@ class FrictionRows final : public OutputRows {
   VectorXd slips_;  ///< 1 for a node that slips, 0 for any other
   double dissipation_ = 0;
 };
+
+/// The rows for a pass with these loads.
+std::unique_ptr<OutputRows> output_rows(const NodalLaws& laws, const NodalLoads& loads);
 
 }  // namespace mixture_contact

@@ -1,6 +1,6 @@
 #include "interface/output.h"
 
-#include "interface/output_sums.h"
+#include "interface/friction_rows.h"
 
 namespace mixture_contact {
 namespace {

@@ -1,7 +1,6 @@
 #include "interface/output_sums.h"
 
 #include "base/in_order.h"
-#include "interface/friction_rows.h"
 
 namespace mixture_contact {
 namespace {
@@ -91,12 +90,6 @@ void add_nodes(const Facet& facet, const MatrixXd& of_facet, MatrixXd& sums) {
 }
 
 }  // namespace
-
-std::unique_ptr<OutputRows> output_rows(const NodalLaws& laws, const NodalLoads& loads) {
-  return by_friction<std::unique_ptr<OutputRows>>(
-      laws.effects().acting_friction(), [&] { return std::make_unique<OutputRows>(laws.effects().scalar_fields()); },
-      [&] { return std::make_unique<FrictionRows>(laws, loads); });
-}
 
 OutputSums sums_of(const MortarSpace& space, const NodalLoads& loads, const OutputRows& rows,
                    const FacingFields& fields) {

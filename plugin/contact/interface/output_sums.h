@@ -42,9 +42,6 @@ class OutputRows : public Polymorphic {
   Index fields_;
 };
 
-/// The rows for a pass with these loads.
-std::unique_ptr<OutputRows> output_rows(const NodalLaws& laws, const NodalLoads& loads);
-
 /// Sums over the points of a pair of facets or of a pass.
 struct OutputSums {
   Vector3d force = Vector3d::Zero();  ///< force of the normal traction on the primary surface [N]

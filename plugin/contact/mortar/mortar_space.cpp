@@ -81,13 +81,13 @@ bool is_faced_enough(double of_facet, double best, bool bore) {
 
 MortarSpace::MortarSpace(const SurfaceMesh& primary, const SurfaceMesh& secondary, const Effects& effects,
                          const Settings& settings)
-    : facing_(primary, secondary, effects, settings),
+    : slips_(slip_averages(effects.friction_kind, settings.friction.ambient_pressure)),
+      facing_(primary, secondary, effects, settings, slips_->flat_integrals()),
       weights_(primary.facets.count()),
       redistributes_(settings.integration == Integration::segments),
       unknown_multipliers_(settings.enforcement == Enforcement::lagrange_multipliers),
       symmetric_(settings.symmetric),
       offset_(settings.gap.offset),
-      slips_(slip_averages(effects.friction_kind, settings.friction.ambient_pressure)),
       effect_times_(effects.scalar_fields()) {}
 
 bool MortarSpace::keep_lost_points(const FacingPositions& x) {

@@ -101,13 +101,13 @@ class MortarSpace {
   /// Sets NodalLoads::jump, flux_area and own.
   void average_jumps(const FacingFields& fields, NodalLoads& loads) const;
 
+  std::unique_ptr<SlipAverages> slips_;
   FacingPairs facing_;
   BoundaryWeights weights_;
   bool redistributes_;  ///< true if functions of partly covered facets are redistributed, which segments require
   bool unknown_multipliers_;
   bool symmetric_;
   double offset_;
-  std::unique_ptr<SlipAverages> slips_;
   mutable EffectTimings effect_times_;  ///< measured times, on which no result depends
   /// Average gaps with the present pairs and weights, computed when first needed.
   mutable std::optional<NodalGaps> gaps_;

@@ -23,6 +23,8 @@ class MortarSpace;
 /// computes nothing. MeasuredSlips is the form with friction. Callers use both in the same way.
 class SlipAverages : public Polymorphic {
  public:
+  /// The integrals over flat pairs on which the averages of the pass depend.
+  virtual FlatIntegrals flat_integrals() const { return FlatIntegrals::moments; }
   /// Sets the positions relative to which slips are measured, unless they have been set or forget() was called.
   virtual void begin_at(const FacingPairs& /*facing*/, const FacingPositions& /*x*/) {}
   /// Accepts a state as the start of the next step: sets these positions, and the convection of `loads` since then.
@@ -80,6 +82,7 @@ class MeasuredSlips final : public SlipAverages {
  public:
   explicit MeasuredSlips(double ambient_pressure) : ambient_pressure_(ambient_pressure) {}
 
+  FlatIntegrals flat_integrals() const override { return FlatIntegrals::points; }
   void begin_at(const FacingPairs& facing, const FacingPositions& x) override;
   bool accept(const MortarSpace& space, const FacingPositions& x, NodalLoads& loads) override;
   void forget() override { is_set_ = false; }

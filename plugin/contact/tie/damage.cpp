@@ -19,11 +19,17 @@ struct Advance {
 struct Bond {
   const Tie& tie;
   const TieLoads& loads;
-  Index node;       ///< index of the tied node
-  Vector3d normal;  ///< unit normal out of the primary body
+  Index node;  ///< index of the tied node
+  FacingPositions x;
   /// Traction that the strength of a brittle bond limits [MPa], see judged_tractions().
   Vector3d traction;
-  double error = 0;  ///< largest relative error of the traction [-]
+  double error = 0;  ///< largest error of the traction [MPa]
+
+  /// The traction that is smaller by its error.
+  Vector3d certain_traction() const {
+    const double size = traction.norm();
+    return size > error ? Vector3d((1 - error / size) * traction) : Vector3d::Zero();
+  }
 };
 
 /// The mean tractions around the tied nodes of a brittle tie, which are the forces that it exerts with psi_a per area,
@@ -45,7 +51,8 @@ Matrix3Xd judged_tractions(const Tie& tie, const TieLoads& loads) {
 Advance advance(const Unbreakable& /*law*/, const Bond& /*bond*/) { return {0, {}, 0}; }
 
 Advance advance(const Brittle& law, const Bond& bond) {
-  if (bond.error >= 1 || !exceeds(law, (1 - bond.error) * bond.traction, bond.normal)) return {0, {}, 0};
+  const Vector3d normal = faced_normal(bond.tie.nodes()[bond.node], bond.x);
+  if (!exceeds(law, bond.certain_traction(), normal)) return {0, {}, 0};
   return {1, {0.5 * bond.loads.traction.col(bond.node).dot(bond.loads.gap.col(bond.node)), 0}, 0};
 }
 
@@ -54,10 +61,11 @@ Advance advance(const Cohesive& law, const Bond& bond) {
   const double before = state.damage[bond.node];
   const double after = bond.loads.damage[bond.node];
   const Vector3d gap = bond.loads.gap.col(bond.node);
-  const double opening = opening_size(gap, bond.normal);
+  const Vector3d normal = normal_of(bond.tie.nodes()[bond.node], bond.x);
+  const double opening = opening_size(gap, normal);
   if (!(after > before)) return {before, {}, opening};
   const double penalty = bond.tie.traction_penalty(bond.node);
-  return {after, dissipated(law, penalty, before, after, state.opening[bond.node], gap, bond.normal), opening};
+  return {after, dissipated(law, penalty, before, after, state.opening[bond.node], gap, normal), opening};
 }
 
 }  // namespace
@@ -69,7 +77,7 @@ DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, d
   const FacingPositions x{fields[Side::primary].position, fields[Side::secondary].position};
   for (Index n = 0; n < next.damage.size(); ++n) {
     if (next.is_broken(n)) continue;
-    const Bond bond{tie, loads, n, normal_of(tie.nodes()[n], x), tractions.col(n), error};
+    const Bond bond{tie, loads, n, x, tractions.col(n), error};
     const Advance step = std::visit([&](const auto& law) { return advance(law, bond); }, tie.breaking());
     next.damage[n] = step.damage;
     next.energy[n] += step.energy.by_damage;

@@ -6,8 +6,8 @@
 namespace mixture_contact {
 
 /// The damage after an accepted solution at a time [s]. Brittle bonds break if their traction exceeds the strength;
-/// cohesive bonds soften. The stored energy of a brittle bond that breaks counts as dissipated. `error`: largest
-/// relative error of the tractions, 0 at a solution; a brittle bond breaks only if it would break with this error [-].
+/// cohesive bonds soften. The stored energy of a brittle bond that breaks counts as dissipated. `error`: largest error
+/// of the tractions, 0 at a solution; a brittle bond breaks only if it would break with this error [MPa].
 DamageState damage_after(const Tie& tie, const PerSide<SurfaceFields>& fields, double time, double error = 0);
 
 /// Sets the damage of a tie. The multipliers of broken nodes become zero; an unknown multiplier of a broken node

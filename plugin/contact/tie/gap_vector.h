@@ -20,6 +20,9 @@ MatrixXd gap_hessian(const TiedNode& tied, const FacingPositions& x, const Vecto
 
 /// The present unit normal at a tied node, out of the primary body; find_normals() must have set the facets.
 Vector3d normal_of(const TiedNode& tied, const FacingPositions& x);
+/// The present unit normal of the facets that a tied node faces, out of the primary body; find_faced_normals() must
+/// have set the facets.
+Vector3d faced_normal(const TiedNode& tied, const FacingPositions& x);
 /// The derivative dn/dx of normal_of(), shape (3, 3 nodes).
 Matrix3Xd normal_variation(const TiedNode& tied, const FacingPositions& x);
 /// The second derivative of load.n with the positions, where n is normal_of(); shape (3 nodes, 3 nodes).

@@ -99,6 +99,24 @@ MatrixXd stiffness(const Tie& tie, Index n, const FacingPositions& x, const TieL
   return stiffness;
 }
 
+/// True if an augmentation has left more than a quarter of an error.
+bool is_slow(const FieldGap& last, const FieldGap& now) { return now.relative > 0.25 * last.relative; }
+
+/// Removes nodes that do not affect the loads, and finds the facets whose normal the law requires.
+void prepare(IndexedVector<TiedNode>& nodes, const Unbreakable& /*law*/, const PerSide<SurfaceMesh>& /*mesh*/) {
+  remove_uncoupled(nodes);
+}
+
+void prepare(IndexedVector<TiedNode>& nodes, const Brittle& /*law*/, const PerSide<SurfaceMesh>& mesh) {
+  remove_uncoupled(nodes);
+  find_faced_normals(nodes, mesh[Side::secondary]);
+}
+
+/// The loads of cohesive bonds depend on all nodes of the facets around them, because they turn with the normal.
+void prepare(IndexedVector<TiedNode>& nodes, const Cohesive& /*law*/, const PerSide<SurfaceMesh>& mesh) {
+  find_normals(nodes, mesh[Side::primary]);
+}
+
 }  // namespace
 
 Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking)
@@ -114,13 +132,13 @@ Tie::Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nod
   }
   const int fields = effects_.scalar_fields();
   state_ = {Matrix3Xd::Zero(3, nodes_.count()), MatrixXd::Zero(fields, nodes_.count()), 1, VectorXd::Ones(fields), {}};
-  if (!may_break(breaking_)) return;
-  find_normals(nodes_, mesh_[Side::primary]);
-  state_.damage = DamageState(nodes_.count());
+  std::visit([&](const auto& law) { prepare(nodes_, law, mesh_); }, breaking_);
+  if (may_break(breaking_)) state_.damage = DamageState(nodes_.count());
 }
 
 void Tie::set_laws(const Settings& settings, const std::optional<BreakingLaw>& breaking) {
   settings_ = settings;
+  last_gaps_.reset();
   if (breaking) breaking_ = *breaking;
   penalties_ = at_nodes(mixture_contact::penalties(mesh_[Side::primary], mesh_[Side::secondary], effects_, settings_),
                         mesh_[Side::primary]);
@@ -307,16 +325,20 @@ GapReport Tie::gaps(const PerSide<SurfaceFields>& fields) const {
 
 bool Tie::augment(const PerSide<SurfaceFields>& fields) {
   const GapReport report = gaps(fields);
+  const std::optional<GapReport> last = std::exchange(last_gaps_, report);
   const TieLoads now = loads(fields);
   state_.traction = now.traction;
   state_.flux = now.flux;
   const Tolerances& tolerances = settings_.tolerances;
-  bool any = grow(state_.traction_penalty_scale, report.traction, tolerances.traction, penalties_.traction,
+  bool any = last && is_slow(last->traction, report.traction) &&
+             grow(state_.traction_penalty_scale, report.traction, tolerances.traction, penalties_.traction,
                   penalties_.stiffness, largest_tie_factor);
-  for (int k = 0; k < effects_.scalar_fields(); ++k)
+  for (int k = 0; last && k < effects_.scalar_fields(); ++k) {
+    if (!is_slow(last->flux[k], report.flux[k])) continue;
     any = grow(state_.flux_penalty_scale[k], report.flux[k], tolerance_of_flux(tolerances, effects_, k),
                penalties_.flux.row(k).transpose(), penalties_.conductance.row(k).transpose(), largest_tie_factor) ||
           any;
+  }
   return any;
 }
 

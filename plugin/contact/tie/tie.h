@@ -53,8 +53,8 @@ class Tie {
 
   Tie(PerSide<SurfaceMesh> mesh, Effects effects, IndexedVector<TiedNode> nodes, BreakingLaw breaking = Unbreakable());
 
-  /// Sets penalties and tolerances and keeps the multipliers. `breaking`: the parameters by which bonds break in the
-  /// step, of the same type as before; without it they stay the same.
+  /// Sets penalties and tolerances and keeps the multipliers. Augmentations begin again. `breaking`: the parameters by
+  /// which bonds break in the step, of the same type as before; without it they stay the same.
   void set_laws(const Settings& settings, const std::optional<BreakingLaw>& breaking = std::nullopt);
   /// Sets the meshes with the materials behind the facets, which automatic penalties depend on.
   void set_meshes(PerSide<SurfaceMesh> mesh);
@@ -91,7 +91,8 @@ class Tie {
   /// The errors of a solution in the conditions of the tie, relative to the loads (see GapSums).
   GapReport gaps(const PerSide<SurfaceFields>& fields) const;
   /// Sets the multipliers to the loads of a solution. Multiplies the penalties of fields that miss their tolerances by
-  /// ten, up to a largest factor. Returns true if a penalty was increased.
+  /// ten, up to a largest factor, if the last augmentation has not reduced the error to a quarter (Bertsekas 1982,
+  /// Constrained Optimization and Lagrange Multiplier Methods, section 2.2). Returns true if a penalty was increased.
   bool augment(const PerSide<SurfaceFields>& fields);
 
   const TieState& state() const { return state_; }
@@ -126,6 +127,7 @@ class Tie {
   IndexedVector<Index> first_;
   Penalties penalties_;  ///< penalties per node of the primary surface
   TieState state_;
+  std::optional<GapReport> last_gaps_;  ///< errors at the last augmentation since set_laws()
 };
 
 /// True if forces of one direction depend on displacements of others: with kept gaps, which turn with the bodies, and

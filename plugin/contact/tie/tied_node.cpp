@@ -4,7 +4,10 @@
 #include "interface/facing_nodes.h"
 #include "mortar/mortar_space.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,6 +18,11 @@ namespace {
 
 /// Gaps below this fraction of a surface's size are rounding of its positions.
 constexpr double rounding_of_gaps = 1e-12;
+/// Weights below this value are rounding of integrals.
+constexpr double rounding_of_weights = 1e-12;
+/// A facet has dual functions if the covered fraction of the area of each node is at least this fraction of the largest
+/// one. Dual functions of a narrow covered part would be large. The value is that of BoundaryWeights.
+constexpr double least_covered = 0.7;
 
 /// Weights by the numbers of their nodes.
 using Weights = std::map<int, double>;
@@ -44,7 +52,10 @@ struct GapOfPoint {
 struct SumsOfNode {
   Sums all;
   IndexedVector<Sums> fields;
-  PerSide<Weights> areas;  ///< integrals of psi_a psi_b over the nodes b of both surfaces
+  /// Integrals of psi_b over the nodes b of both surfaces: of the primary one times the share of the node in the load,
+  /// of the secondary one times psi_a.
+  PerSide<Weights> areas;
+  PerSide<IndexedVector<int>> facets;
   IndexedVector<GapOfPoint> gaps;
 };
 
@@ -58,11 +69,11 @@ void add_gap(IndexedVector<GapOfPoint>& gaps, const FacetPair& pair, const Facet
   }
 }
 
-/// A point of a pair with its kinematics and the weights of the nodes of both facets.
+/// A point of a pair with its kinematics and the functions of the nodes of both facets.
 struct PlacedPoint {
   PointKinematics kinematics;
-  FacetVector shares;        ///< quadrature weight times |a| psi_a, per primary node
-  PerSide<FacetVector> psi;  ///< functions psi of the nodes of both facets
+  double area = 0;           ///< quadrature weight times |a| [mm^2]
+  PerSide<FacetVector> psi;  ///< functions psi of sliding contact of the nodes of both facets
 };
 
 PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const IntegrationPoint& place,
@@ -72,14 +83,63 @@ PlacedPoint placed(const MortarSpace& space, const FacetPair& pair, const Integr
   PlacedPoint found;
   found.kinematics = point_kinematics(shape_functions(one.type, place.xi), facet_coordinates(one, x[Side::primary]),
                                       shape_functions(two.type, place.eta), facet_coordinates(two, x[Side::secondary]));
-  const double area = place.weight * found.kinematics.area;
+  found.area = place.weight * found.kinematics.area;
   found.psi[Side::primary] = space.shape(pair.primary, place.sub_facet, place.xi).value;
-  found.shares = area * found.psi[Side::primary];
   found.psi[Side::secondary] = multiplier_functions(two.type, sub_facet_at(two.type, place.eta), place.eta).value;
   return found;
 }
 
-void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Matrix3Xd>& x,
+/// Integrals over the covered part of a primary facet.
+struct Coverage {
+  MatrixXd mass;              ///< integrals INT psi_a psi_b dA of the nodes [mm^2]; empty if the facet has no pair
+  IndexedVector<int> fields;  ///< fields that the facet exchanges with the first of its pairs
+  bool is_uniform = true;     ///< true if it exchanges these fields with all of its pairs
+};
+
+/// True if a primary facet has dual functions.
+bool has_dual_functions(const MortarSpace& space, int facet, const Coverage& covered, const Matrix3Xd& x1) {
+  const Facet& of = space.facing().primary().facets[facet];
+  const bool is_linear = number_of(sub_facets(of.type)) == 1;
+  if (!is_linear || !covered.is_uniform || space.boundary_weights().heirs(facet, of.type)) return false;
+  const VectorXd part = covered.mass.rowwise().sum().cwiseQuotient(areas_of_nodes(of, x1));
+  return part.minCoeff() >= least_covered * part.maxCoeff();
+}
+
+/// The integrals over the covered parts of all primary facets.
+IndexedVector<Coverage> coverage(const MortarSpace& space, const PerSide<Matrix3Xd>& x) {
+  IndexedVector<Coverage> covered(space.facing().primary().facets.count());
+  for (const FacetPair& pair : space.facing().pairs()) {
+    Coverage& facet = covered[pair.primary];
+    IndexedVector<int> fields = space.facing().exchanged_fields(pair);
+    const Index count = space.facing().primary_facet(pair).count();
+    if (facet.mass.size() == 0) facet = {MatrixXd::Zero(count, count), fields, true};
+    facet.is_uniform = facet.is_uniform && facet.fields == fields;
+    for (const IntegrationPoint& place : space.facing().points(pair)) {
+      const PlacedPoint point = placed(space, pair, place, x);
+      facet.mass += point.area * point.psi[Side::primary] * point.psi[Side::primary].transpose();
+    }
+  }
+  return covered;
+}
+
+/// Per primary facet, the matrix C of its functions: the functions of the averages are the sums of C_ab psi_b, with
+/// psi_b of sliding contact; empty for a facet without pairs.
+IndexedVector<MatrixXd> functions_of_facets(const MortarSpace& space, const PerSide<Matrix3Xd>& x,
+                                            const BreakingLaw& breaking) {
+  const IndexedVector<Coverage> covered = coverage(space, x);
+  const bool may_be_dual = !std::holds_alternative<Cohesive>(breaking);
+  IndexedVector<MatrixXd> functions;
+  for (int facet = 0; facet < covered.count(); ++facet) {
+    const MatrixXd& mass = covered[facet].mass;
+    functions.emplace_back(MatrixXd::Identity(mass.rows(), mass.cols()));
+    if (may_be_dual && mass.size() > 0 && has_dual_functions(space, facet, covered[facet], x[Side::primary]))
+      functions[facet] = mass.rowwise().sum().asDiagonal() * mass.inverse();
+  }
+  return functions;
+}
+
+/// Adds the integrals over a pair. `functions`: the matrix of the primary facet (functions_of_facets()).
+void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Matrix3Xd>& x, const MatrixXd& functions,
               IndexedVector<SumsOfNode>& nodes) {
   const Facet& one = space.facing().primary_facet(pair);
   const Facet& two = space.facing().secondary_facet(pair);
@@ -87,14 +147,17 @@ void add_pair(const MortarSpace& space, const FacetPair& pair, const PerSide<Mat
   const double rounding = rounding_of_gaps * space.facing().surface_size();
   for (const IntegrationPoint& place : space.facing().points(pair)) {
     const PlacedPoint point = placed(space, pair, place, x);
+    const FacetVector psi = functions * point.psi[Side::primary];
     for (Index a = 0; a < one.count(); ++a) {
-      const double share = point.shares[a];
+      const double share = point.area * psi[a];
       if (share == 0) continue;
       SumsOfNode& sums = nodes[one.node(a)];
+      merge_unique(sums.facets[Side::primary], std::array<int, 1>{pair.primary});
+      merge_unique(sums.facets[Side::secondary], std::array<int, 1>{pair.secondary});
       sums.all.add(share, one, two, point.kinematics);
       for (const int field : fields) sums.fields[field].add(share, one, two, point.kinematics);
-      for (Index b = 0; b < one.count(); ++b)
-        sums.areas[Side::primary][one.node(b)] += share * point.psi[Side::primary][b];
+      const double share_of_load = point.area * point.psi[Side::primary][a];
+      for (Index b = 0; b < one.count(); ++b) sums.areas[Side::primary][one.node(b)] += share_of_load * psi[b];
       for (Index b = 0; b < two.count(); ++b)
         sums.areas[Side::secondary][two.node(b)] += share * point.psi[Side::secondary][b];
       const double gap = point.kinematics.gap;
@@ -115,27 +178,28 @@ double weight_in(const Weights& weights, int node) {
   return found == weights.end() ? 0.0 : found->second;
 }
 
+/// The weights of nodes divided by an area; zero within rounding.
+VectorXd fractions_in(const Weights& weights, const IndexedVector<int>& nodes, double area) {
+  return VectorXd::NullaryExpr(nodes.count(), [&](Index n) {
+    const double fraction = weight_in(weights, nodes[n]) / area;
+    return std::abs(fraction) > rounding_of_weights ? fraction : 0.0;
+  });
+}
+
 TiedAverage average_of(const Sums& sums, const TiedNode& tied) {
   TiedAverage average;
   if (!(sums.area > 0)) return average;
   average.area = sums.area;
   average.weights.resize(tied.count());
-  Index n = 0;
-  for (const int node : tied.primary) average.weights[n++] = weight_in(sums.weights[Side::primary], node) / sums.area;
-  for (const int node : tied.secondary)
-    average.weights[n++] = weight_in(sums.weights[Side::secondary], node) / sums.area;
+  average.weights << fractions_in(sums.weights[Side::primary], tied.primary, sums.area),
+      fractions_in(sums.weights[Side::secondary], tied.secondary, sums.area);
   return average;
 }
 
-PlaceOnFacet place_on(const Facet& facet, const FacetGradient& gradient, const IndexedVector<int>& nodes) {
+PlaceOnFacet place_on(const Facet& facet, const FacetGradient& gradient) {
   PlaceOnFacet place{{}, gradient};
-  for (const int node : facet) place.places.push_back(position_in(nodes, node));
+  place.nodes.assign(facet.begin(), facet.end());
   return place;
-}
-
-/// The fractions of a node's area that belong to other nodes, in the order of `nodes`.
-VectorXd shares_in(const Weights& areas, const IndexedVector<int>& nodes, double area) {
-  return VectorXd::NullaryExpr(nodes.count(), [&](Index n) { return weight_in(areas, nodes[n]) / area; });
 }
 
 TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary) {
@@ -145,12 +209,49 @@ TiedNode tied_node(int node, const SumsOfNode& sums, const SurfaceMesh& primary)
   tied.secondary = numbers_in(sums.all.weights[Side::secondary]);
   tied.traction = average_of(sums.all, tied);
   for (const Sums& of_field : sums.fields) tied.fields.push_back(average_of(of_field, tied));
-  tied.primary_shares = shares_in(sums.areas[Side::primary], tied.primary, sums.all.area);
-  tied.secondary_shares = shares_in(sums.areas[Side::secondary], tied.secondary, sums.all.area);
-  for (const GapOfPoint& gap : sums.gaps) {
-    tied.gaps.push_back({place_on(primary.facets[gap.facet], gap.gradient, tied.primary), gap.sum / sums.all.area});
-  }
+  tied.primary_shares = fractions_in(sums.areas[Side::primary], tied.primary, sums.all.area);
+  tied.secondary_shares = fractions_in(sums.areas[Side::secondary], tied.secondary, sums.all.area);
+  tied.facets = sums.facets;
+  for (const GapOfPoint& gap : sums.gaps)
+    tied.gaps.push_back({place_on(primary.facets[gap.facet], gap.gradient), gap.sum / sums.all.area});
   return tied;
+}
+
+/// The positions of those of `count` nodes, from position `first` of the weights on, that an average contains.
+std::vector<Index> coupled_nodes(const TiedNode& tied, Index first, Index count) {
+  std::vector<Index> positions;
+  for (Index n = 0; n < count; ++n) {
+    const auto couples = [&](const TiedAverage& average) {
+      return average.exists() && average.weights[first + n] != 0;
+    };
+    if (couples(tied.traction) || std::any_of(tied.fields.begin(), tied.fields.end(), couples)) positions.push_back(n);
+  }
+  return positions;
+}
+
+IndexedVector<int> entries_at(const IndexedVector<int>& list, const std::vector<Index>& positions) {
+  IndexedVector<int> entries;
+  for (const Index position : positions) entries.push_back(list[position]);
+  return entries;
+}
+
+/// Removes nodes without weight from the averages of a tied node.
+void remove_uncoupled(TiedNode& tied) {
+  const Index first = tied.primary.count();
+  const std::vector<Index> primary = coupled_nodes(tied, 0, first);
+  const std::vector<Index> secondary = coupled_nodes(tied, first, tied.secondary.count());
+  const auto remove = [&](TiedAverage& average) {
+    if (!average.exists()) return;
+    VectorXd weights(number_of(primary) + number_of(secondary));
+    weights << average.weights.head(first)(primary), average.weights.tail(tied.secondary.count())(secondary);
+    average.weights = weights;
+  };
+  remove(tied.traction);
+  for (TiedAverage& average : tied.fields) remove(average);
+  tied.primary_shares = VectorXd(tied.primary_shares(primary));
+  tied.secondary_shares = VectorXd(tied.secondary_shares(secondary));
+  tied.primary = entries_at(tied.primary, primary);
+  tied.secondary = entries_at(tied.secondary, secondary);
 }
 
 /// The intersections of the normals of the primary nodes with the secondary surface, at any distance.
@@ -165,7 +266,8 @@ IndexedVector<std::optional<SurfaceHit>> hits_at_any_distance(const PerSide<Surf
 }  // namespace
 
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
-                                        const Settings& settings, const PerSide<Matrix3Xd>& reference) {
+                                        const Settings& settings, const PerSide<Matrix3Xd>& reference,
+                                        const BreakingLaw& breaking) {
   const FacingPositions x = seen_from(Side::primary, reference);
   MortarSpace space(mesh[Side::primary], mesh[Side::secondary], effects, settings);
   space.change_facing().search(x, reach_of(settings, x));
@@ -173,7 +275,8 @@ IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const 
   SumsOfNode empty;
   empty.fields.resize(indexing::entries(effects.scalar_fields()));
   IndexedVector<SumsOfNode> sums(mesh[Side::primary].nodes, empty);
-  for (const FacetPair& pair : space.facing().pairs()) add_pair(space, pair, reference, sums);
+  const IndexedVector<MatrixXd> functions = functions_of_facets(space, reference, breaking);
+  for (const FacetPair& pair : space.facing().pairs()) add_pair(space, pair, reference, functions[pair.primary], sums);
   IndexedVector<TiedNode> tied;
   for (int node = 0; node < mesh[Side::primary].nodes; ++node) {
     if (sums[node].all.area > 0) tied.push_back(tied_node(node, sums[node], mesh[Side::primary]));
@@ -181,21 +284,29 @@ IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const 
   return tied;
 }
 
+void remove_uncoupled(IndexedVector<TiedNode>& nodes) {
+  for (TiedNode& tied : nodes) {
+    if (tied.gaps.empty()) remove_uncoupled(tied);
+  }
+}
+
 void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary) {
-  std::map<int, TiedNode*> by_node;
   for (TiedNode& tied : nodes) {
     tied.corners.clear();
-    by_node[tied.node] = &tied;
+    for (const int number : tied.facets[Side::primary]) {
+      const Facet& facet = primary.facets[number];
+      const int corner = indexing::as_int(number_in(facet, tied.node));
+      tied.corners.push_back(place_on(facet, gradient_at_node(facet.type, corner)));
+    }
   }
-  for (const Facet& facet : primary.facets) {
-    for (int a = 0; a < facet.count(); ++a) {
-      const auto found = by_node.find(facet.node(a));
-      if (found == by_node.end()) continue;
-      TiedNode& tied = *found->second;
-      const bool is_own = std::all_of(facet.begin(), facet.end(), [&](int node) {
-        return std::binary_search(tied.primary.begin(), tied.primary.end(), node);
-      });
-      if (is_own) tied.corners.push_back(place_on(facet, gradient_at_node(facet.type, a), tied.primary));
+}
+
+void find_faced_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& secondary) {
+  for (TiedNode& tied : nodes) {
+    tied.faced.clear();
+    for (const int number : tied.facets[Side::secondary]) {
+      const Facet& facet = secondary.facets[number];
+      tied.faced.push_back(place_on(facet, shape_functions(facet.type, parametric_centre(facet.type)).gradient));
     }
   }
 }

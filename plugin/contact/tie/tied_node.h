@@ -5,6 +5,7 @@
 #include "base/patch.h"
 #include "base/settings.h"
 #include "geometry/surface.h"
+#include "tie/breaking.h"
 
 namespace mixture_contact {
 
@@ -18,10 +19,10 @@ struct TiedAverage {
   bool exists() const { return area > 0; }
 };
 
-/// A point on a primary facet at which the normal is computed.
+/// A point on a facet at which the normal is computed.
 struct PlaceOnFacet {
-  IndexedVector<Index> places;  ///< positions of the facet's nodes in TiedNode::primary
-  FacetGradient gradient;       ///< gradients of their shape functions at the point
+  IndexedVector<int> nodes;  ///< nodes of the facet, indices on its surface
+  FacetGradient gradient;    ///< gradients of their shape functions at the point
 };
 
 /// An initial gap of one point that is kept along the present normal of the primary facet.
@@ -40,13 +41,16 @@ struct TiedNode {
   /// Average of the displacement jump.
   TiedAverage traction;
   IndexedVector<TiedAverage> fields;  ///< averages of the jumps of the exchanged scalar fields
-  /// Means of the functions psi_b of the primary nodes with the weight psi_a, INT psi_a psi_b dA divided by the area;
+  /// Means of the functions psi_b of the primary nodes, weighted with the share of the node in the load of its surface;
   /// they add up to one.
   VectorXd primary_shares;
-  VectorXd secondary_shares;    ///< fractions of the node's area that belong to the secondary nodes; they add up to one
-  IndexedVector<KeptGap> gaps;  ///< kept gaps of the points; empty if the surfaces touch
-  /// The node as a point of each facet around it, for its normal; empty if no law requires the normal.
+  VectorXd secondary_shares;  ///< fractions of the node's area that belong to the secondary nodes; they add up to one
+  PerSide<IndexedVector<int>> facets;  ///< facets of both surfaces over which the node is averaged
+  IndexedVector<KeptGap> gaps;         ///< kept gaps of the points; empty if the surfaces touch
+  /// The node as a point of each primary facet around it, for its normal; empty if no law requires this normal.
   IndexedVector<PlaceOnFacet> corners;
+  /// The middles of the secondary facets around it, for their normal; empty if no law requires this normal.
+  IndexedVector<PlaceOnFacet> faced;
 
   Index count() const { return primary.count() + secondary.count(); }
   bool exchanges(int field) const { return fields[field].exists(); }
@@ -62,13 +66,26 @@ struct UntiedNodes {
   int count() const { return facing_nothing + too_far; }
 };
 
-/// Finds the tied nodes and the weights of their averages at the reference positions. Weights and areas are those of
-/// sliding contact. Gaps within the rounding of the positions count as zero.
+/// Finds the tied nodes and the weights of their averages at the reference positions. Areas are those of sliding
+/// contact. Gaps within the rounding of the positions count as zero.
+///
+/// On linear facets that the other surface covers, psi_a are the dual functions of the shape functions: INT psi_a N_b
+/// dA is zero for two nodes a and b (Wohlmuth 2000, SIAM J Numer Anal 38:989-1012; integrated over the covered part:
+/// Cichosz and Bischoff 2011, Comput Methods Appl Mech Eng 200:1317-1332). An average then contains a single primary
+/// node, and on matching meshes a single secondary node. On other facets, psi_a are those of sliding contact. They are
+/// also those of cohesive bonds: neighbouring bonds then soften together, and the load of a crack varies less from node
+/// to node.
 IndexedVector<TiedNode> find_tied_nodes(const PerSide<SurfaceMesh>& mesh, const Effects& effects,
-                                        const Settings& settings, const PerSide<Matrix3Xd>& reference);
+                                        const Settings& settings, const PerSide<Matrix3Xd>& reference,
+                                        const BreakingLaw& breaking = Unbreakable());
+
+/// Removes nodes without weight from the averages, except those of kept gaps.
+void remove_uncoupled(IndexedVector<TiedNode>& nodes);
 
 /// Sets TiedNode::corners: the facets around each tied node, from which its normal is computed.
 void find_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& primary);
+/// Sets TiedNode::faced: the facets that each tied node faces, from which their normal is computed.
+void find_faced_normals(IndexedVector<TiedNode>& nodes, const SurfaceMesh& secondary);
 
 /// Counts the nodes of the primary surface that are not tied.
 UntiedNodes untied_nodes(const IndexedVector<TiedNode>& tied, const PerSide<SurfaceMesh>& mesh,
