@@ -110,7 +110,7 @@ IndexedVector<Coverage> coverage(const MortarSpace& space, const PerSide<Matrix3
   IndexedVector<Coverage> covered(space.facing().primary().facets.count());
   for (const FacetPair& pair : space.facing().pairs()) {
     Coverage& facet = covered[pair.primary];
-    IndexedVector<int> fields = space.facing().exchanged_fields(pair);
+    const IndexedVector<int> fields = space.facing().exchanged_fields(pair);
     const Index count = space.facing().primary_facet(pair).count();
     if (facet.mass.size() == 0) facet = {MatrixXd::Zero(count, count), fields, true};
     facet.is_uniform = facet.is_uniform && facet.fields == fields;
