@@ -8,10 +8,6 @@
 namespace mixture_contact {
 namespace {
 
-/// A node carries no load of a facet if the covered fraction of its area on the facet is less than this fraction of
-/// that of the best covered node. If the other surface ends across a facet and covers a fraction s of it, far nodes are
-/// covered to s^2 and near nodes to 2s - s^2: far nodes carry load from s = 0.82 on.
-constexpr double least_covered = 0.7;
 /// Thresholds with hysteresis: a node that carried load keeps it down to s = 0.5, and a node that did not takes it up
 /// from s = 0.97 on. Sliding by the size of a facet changes a decision once, and oscillation by a tenth of it does not.
 constexpr double least_covered_of_carrier = 1.0 / 3;

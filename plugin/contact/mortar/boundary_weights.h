@@ -8,6 +8,11 @@
 
 namespace mixture_contact {
 
+/// A node carries no load of a facet if the covered fraction of its area on the facet is less than this fraction of
+/// that of the best covered node. If the other surface ends across a facet and covers a fraction s of it, far nodes are
+/// covered to s^2 and near nodes to 2s - s^2: far nodes carry load from s = 0.82 on.
+inline constexpr double least_covered = 0.7;
+
 /// Integrals over the part of a facet that faces the other surface, for each of its nodes: INT psi_a da [mm^2] and INT
 /// psi_a g da [mm^3], shape (2, n).
 using FacetGapSums = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::RowMajor, 2, max_facet_nodes>;

@@ -20,9 +20,6 @@ namespace {
 constexpr double rounding_of_gaps = 1e-12;
 /// Weights below this value are rounding of integrals.
 constexpr double rounding_of_weights = 1e-12;
-/// A facet has dual functions if the covered fraction of the area of each node is at least this fraction of the largest
-/// one. Dual functions of a narrow covered part would be large. The value is that of BoundaryWeights.
-constexpr double least_covered = 0.7;
 
 /// Weights by the numbers of their nodes.
 using Weights = std::map<int, double>;
@@ -96,11 +93,13 @@ struct Coverage {
   bool is_uniform = true;     ///< true if it exchanges these fields with all of its pairs
 };
 
-/// True if a primary facet has dual functions.
+/// True if a primary facet has dual functions. Those of a narrow covered part would be large: each node must be covered
+/// as a node that carries load.
 bool has_dual_functions(const MortarSpace& space, int facet, const Coverage& covered, const Matrix3Xd& x1) {
   const Facet& of = space.facing().primary().facets[facet];
   const bool is_linear = number_of(sub_facets(of.type)) == 1;
-  if (!is_linear || !covered.is_uniform || space.boundary_weights().heirs(facet, of.type)) return false;
+  if (covered.mass.size() == 0 || !is_linear || !covered.is_uniform) return false;
+  if (space.boundary_weights().heirs(facet, of.type)) return false;
   const VectorXd part = covered.mass.rowwise().sum().cwiseQuotient(areas_of_nodes(of, x1));
   return part.minCoeff() >= least_covered * part.maxCoeff();
 }
@@ -123,16 +122,17 @@ IndexedVector<Coverage> coverage(const MortarSpace& space, const PerSide<Matrix3
 }
 
 /// Per primary facet, the matrix C of its functions: the functions of the averages are the sums of C_ab psi_b, with
-/// psi_b of sliding contact; empty for a facet without pairs.
+/// psi_b of sliding contact.
 IndexedVector<MatrixXd> functions_of_facets(const MortarSpace& space, const PerSide<Matrix3Xd>& x,
                                             const BreakingLaw& breaking) {
-  const IndexedVector<Coverage> covered = coverage(space, x);
-  const bool may_be_dual = !std::holds_alternative<Cohesive>(breaking);
   IndexedVector<MatrixXd> functions;
+  for (const Facet& facet : space.facing().primary().facets)
+    functions.emplace_back(MatrixXd::Identity(facet.count(), facet.count()));
+  if (std::holds_alternative<Cohesive>(breaking)) return functions;
+  const IndexedVector<Coverage> covered = coverage(space, x);
   for (int facet = 0; facet < covered.count(); ++facet) {
     const MatrixXd& mass = covered[facet].mass;
-    functions.emplace_back(MatrixXd::Identity(mass.rows(), mass.cols()));
-    if (may_be_dual && mass.size() > 0 && has_dual_functions(space, facet, covered[facet], x[Side::primary]))
+    if (has_dual_functions(space, facet, covered[facet], x[Side::primary]))
       functions[facet] = mass.rowwise().sum().asDiagonal() * mass.inverse();
   }
   return functions;
