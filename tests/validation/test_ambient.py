@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from copy import deepcopy
-
 import febio_runs
 import numpy as np
 import pytest
-from lxml import etree
 from scenes.ambient import CONCENTRATION, CURVES, PRESSURE, Apart, HalfWet
 from scenes.patches import Patches
 
 from harness.models.interface import InterfaceType
-from harness.models.parts import concentration, pressure
+from harness.models.parts import Control, concentration, pressure
 from harness.post import compare
 from harness.run import engine, logdata
+from studies import feb
+from studies.synthetic_scenes import scenes_of_files
 
 
 def ambient(times):
@@ -63,28 +62,17 @@ def test_a_node_is_at_ambient_only_where_no_interface_has_it_in_contact(context)
 
 def in_two_steps(model, folder):
     """The model in two analysis steps: the interface on the right alone, then both."""
-    document = etree.parse(model.write(folder))
-    root = document.getroot()
-    control, contact = root.find("Control"), root.find("Contact")
-    steps = etree.Element("Step")
-    for number in (1, 2):
-        step = etree.SubElement(steps, "step", id=str(number), name=f"step {number}")
-        step.extend((deepcopy(control), deepcopy(contact)))
-    left = steps.find("step[@id='1']/Contact/contact[@surface_pair='pair-1']")
+    file = feb.read(model.write(folder))
+    scenes_of_files.two_steps((1, 2), file.root, folder)
+    left = feb.only(file.root, "Step/step[@id='1']/Contact/contact[@surface_pair='pair-1']")
     left.getparent().remove(left)
-    control.addprevious(steps)
-    root.remove(control)
-    root.remove(contact)
-    root.insert(list(root).index(root.find("Output")), steps)
-    file = folder / f"{model.name}.feb"
-    document.write(file, encoding="utf-8", xml_declaration=True)
-    return file
+    return file.write(folder)
 
 
 @pytest.mark.mixture_only
 def test_an_analysis_step_begins_with_contact_where_the_last_one_had_ambient_values(context, tmp_path):
     """At the end, the slab has the values of a model in which both interfaces are there from the start."""
-    model = HalfWet(context.interface).model()
+    model = HalfWet(context.interface, Control(20, 100.0)).model()
     file = in_two_steps(model, tmp_path)
     assert febio_runs.run(file, plugin=engine.required_plugin()).report.normal
     found = logdata.read_history(tmp_path / model.node_file, model.node_columns)
