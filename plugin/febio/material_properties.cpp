@@ -14,6 +14,8 @@
 #include <FECore/FESolidDomain.h>
 #include <FECore/FESolidElement.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -45,17 +47,27 @@ vec3d centre(FEModel& fem, const FEElement& element) {
   return sum / element.Nodes();
 }
 
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// The inverse of a symmetric matrix, with the absolute values of its eigenvalues.
+Matrix6d positive_inverse(const Matrix6d& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> found(matrix);
+  return found.eigenvectors() * found.eigenvalues().cwiseAbs().cwiseInverse().asDiagonal() *
+         found.eigenvectors().transpose();
+}
+
 /// Young's modulus along n of an elasticity tensor: the inverse of the component (n n):S:(n n) of the compliance S,
-/// where S:(n n) is the strain under the stress n n. In Voigt notation, from engineering strains to stresses.
+/// where S:(n n) is the strain under the stress n n. In Voigt notation, from engineering strains to stresses. A
+/// material under active stress may have negative eigenvalues; their absolute values count.
 double modulus_along(const vec3d& n, const tens4ds& elasticity) {
   using Voigt = Eigen::Matrix<double, 6, 1>;
   const Voigt stress{{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.y * n.z, n.x * n.z}};
-  Eigen::Matrix<double, 6, 6> stiffness;
+  Matrix6d stiffness;
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) stiffness(i, j) = elasticity(i, j);
   }
-  const Voigt strain = stiffness.partialPivLu().solve(stress);
-  return 1.0 / stress.dot(strain);
+  if (stiffness.llt().info() == Eigen::Success) return 1.0 / stress.dot(stiffness.partialPivLu().solve(stress));
+  return 1.0 / stress.dot(positive_inverse(stiffness) * stress);
 }
 
 /// Porosity of any mixture material; 0 for other materials.
@@ -75,9 +87,12 @@ FEHydraulicPermeability* permeability_of(FEMaterial& material) {
   return nullptr;
 }
 
+/// The modulus of a material along n; infinite if it has none in this state, such that the other side decides.
 double stiffness_of(const MaterialParts& parts, FEMaterialPoint& point, const vec3d& n) {
   if (parts.rigid != nullptr) return std::numeric_limits<double>::infinity();
-  return parts.solid == nullptr ? 0 : modulus_along(n, parts.solid->Tangent(point));
+  if (parts.solid == nullptr) return 0;
+  const double modulus = modulus_along(n, parts.solid->Tangent(point));
+  return std::isfinite(modulus) && modulus > 0 ? modulus : std::numeric_limits<double>::infinity();
 }
 
 /// The modulus along x of the first element of a domain; 0 if it has none.
@@ -153,7 +168,7 @@ FacetMaterial properties_of(const MaterialParts& parts, const FacetGeometry& geo
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*geometry.element->GetMaterialPoint(0));
   const double modulus = stiffness_of(parts, *point, n);
   result.stiffness = modulus / geometry.thickness;
-  if (modulus > 0) result.crossing = geometry.thickness * std::sqrt(parts.solid->Density(*point) / modulus);
+  if (std::isfinite(modulus)) result.crossing = geometry.thickness * std::sqrt(parts.solid->Density(*point) / modulus);
   if (parts.permeability != nullptr) {
     result.permeable = true;
     result.permeability = n * (parts.permeability->Permeability(*point) * n) / geometry.thickness;

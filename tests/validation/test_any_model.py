@@ -82,6 +82,34 @@ def test_bodies_that_overlap_deeply_at_the_start_are_not_thrown_apart(solve):
     assert found.report.retries == 0
 
 
+# ------------------------------------------------------------ materials that contract
+
+CONTRACTS = (
+    '<material id="1" name="muscle" type="trans iso Mooney-Rivlin"><density>1</density><c1>0.05</c1><c2>0</c2>'
+    "<k>50</k><c3>0.01</c3><c4>20</c4><c5>1</c5><lam_max>1.2</lam_max>"
+    '<fiber type="vector"><vector>1,0,0</vector></fiber><active_contraction type="active_contraction">'
+    "<ascl>1</ascl><Tmax>0.3</Tmax><ca0>4.35</ca0><camax>4.35</camax><beta>10</beta><l0>1.58</l0><refl>2.04</refl>"
+    "</active_contraction></material>"
+)
+"""Fibres along x are near saturation: their contraction, which shortening hardly changes, exceeds the stiffness."""
+
+
+def test_a_material_that_contracts_in_the_undeformed_state_has_a_penalty(solve):
+    """Its elasticity is not positive definite there."""
+    parts = Parts()
+    parts.box("low", (0, 0, 0), (1, 1, 1), (3, 3, 3), "muscle")
+    parts.box("up", (-0.2, -0.2, 0.99), (1.2, 1.2, 1.6), (2, 2, 1), "hard")
+    document = Document(
+        parts.mesh({"pair": ("low-top", "up-bottom")}),
+        (CONTRACTS, elastic("hard", 2, 100, 0.3)),
+        control=control("solid", 2, 0.1, retries=2),
+        boundary=(*(fixed(f"low-{side}") for side in ("bottom", "left", "right")), fixed("up-top")),
+        contacts=(contact("c", "pair"),),
+    )
+    _, found = solve("muscle", document)
+    assert found.report.steps == 2
+
+
 # ------------------------------------------------------------ two rigid bodies
 
 ALL = "<Rx_dof>1</Rx_dof><Ry_dof>1</Ry_dof><Rz_dof>1</Rz_dof><Ru_dof>1</Ru_dof><Rv_dof>1</Rv_dof><Rw_dof>1</Rw_dof>"
