@@ -87,12 +87,9 @@ FEHydraulicPermeability* permeability_of(FEMaterial& material) {
   return nullptr;
 }
 
-/// The modulus of a material along n; infinite if it has none in this state, such that the other side decides.
 double stiffness_of(const MaterialParts& parts, FEMaterialPoint& point, const vec3d& n) {
   if (parts.rigid != nullptr) return std::numeric_limits<double>::infinity();
-  if (parts.solid == nullptr) return 0;
-  const double modulus = modulus_along(n, parts.solid->Tangent(point));
-  return std::isfinite(modulus) && modulus > 0 ? modulus : std::numeric_limits<double>::infinity();
+  return parts.solid == nullptr ? 0 : modulus_along(n, parts.solid->Tangent(point));
 }
 
 /// The modulus along x of the first element of a domain; 0 if it has none.
@@ -168,7 +165,7 @@ FacetMaterial properties_of(const MaterialParts& parts, const FacetGeometry& geo
   const std::unique_ptr<FEMaterialPoint> point = reference_copy(*geometry.element->GetMaterialPoint(0));
   const double modulus = stiffness_of(parts, *point, n);
   result.stiffness = modulus / geometry.thickness;
-  if (std::isfinite(modulus)) result.crossing = geometry.thickness * std::sqrt(parts.solid->Density(*point) / modulus);
+  if (modulus > 0) result.crossing = geometry.thickness * std::sqrt(parts.solid->Density(*point) / modulus);
   if (parts.permeability != nullptr) {
     result.permeable = true;
     result.permeability = n * (parts.permeability->Permeability(*point) * n) / geometry.thickness;
